@@ -1,0 +1,6 @@
+# Contraction is off: the same source gives the same bits on every backend and vector width.
+# Kernels ask for fma by name. The CPU baseline is x86-64-v3 (AVX2, FMA).
+add_library(fpmFlags INTERFACE)
+target_include_directories(fpmFlags INTERFACE ${CMAKE_SOURCE_DIR}/libs)
+target_compile_options(fpmFlags INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Werror -ffp-contract=off -fno-math-errno -march=x86-64-v3>)

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace fpm {
+
+/// Keeps a second writer out of a case: an advisory lock of the system on <case>/.lock, which falls
+/// with its process however that ends. The file alone, left over or copied, locks nothing.
+class CaseLock
+{
+public:
+    /// Throws Error(caseLocked) naming process and host of the holder, Error(fileIo) when the
+    /// case cannot be written to.
+    CaseLock(const std::filesystem::path& caseRoot, const std::string& application);
+    CaseLock(const CaseLock&) = delete;
+    CaseLock& operator=(const CaseLock&) = delete;
+    ~CaseLock();
+
+private:
+    int descriptor_;
+};
+
+} // namespace fpm

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// An HDF5 file built in memory (core driver, no backing store) and put on disk in one piece by
+/// writeFileAtomically: complete or absent, with a checksum over all of it behind HDF5's own end.
+/// Groups of a path are created on the way. Equal content gives equal bytes.
+class Hdf5Image
+{
+public:
+    Hdf5Image();
+    ~Hdf5Image();
+    Hdf5Image(Hdf5Image&&) noexcept;
+
+    /// Rows of `columns` numbers (1 = plain vector). Path as "/VTKHDF/PointData/U".
+    void write(const std::string& path, std::span<const double> values, std::size_t columns = 1);
+    void write(const std::string& path, std::span<const float> values, std::size_t columns = 1);
+    void
+    write(const std::string& path, std::span<const std::int32_t> values, std::size_t columns = 1);
+    void
+    write(const std::string& path, std::span<const std::int64_t> values, std::size_t columns = 1);
+    void
+    write(const std::string& path, std::span<const std::uint8_t> values, std::size_t columns = 1);
+    /// Fixed-length ASCII attribute (VTK accepts no other kind); creates the group.
+    void attribute(const std::string& group, const std::string& name, const std::string& value);
+    void attribute(const std::string& group,
+                   const std::string& name,
+                   std::span<const std::int64_t> values);
+    void attribute(const std::string& group, const std::string& name, double value);
+    /// External link: `path` here shows `target` of the file at relative path `file`.
+    void link(const std::string& path, const std::string& file, const std::string& target);
+
+    void save(const std::filesystem::path& file) const;
+
+private:
+    struct Content;
+    std::unique_ptr<Content> content_;
+};
+
+/// Whether `file` is a regular file that ends as Hdf5Image::save left it; the rest is not looked
+/// at.
+bool isCompleteHdf5(const std::filesystem::path& file);
+
+/// Reads files of Hdf5Image without trust: the checksum over the whole file is compared before HDF5
+/// sees it; then hard links and unfiltered arrays of fixed-size numbers only, and sizes are
+/// compared with the file's before memory is asked for. What remains are HDF5's own faults on a
+/// file forged together with its checksum. Throws Error(mesh) naming the file.
+class Hdf5Reader
+{
+public:
+    explicit Hdf5Reader(const std::filesystem::path& file);
+    ~Hdf5Reader();
+    Hdf5Reader(Hdf5Reader&&) noexcept;
+
+    bool has(const std::string& path) const;
+    std::vector<std::string> children(const std::string& group) const; ///< sorted
+    std::size_t columns(const std::string& path) const;                ///< 1 for a plain vector
+    std::vector<double> doubles(const std::string& path) const;        ///< float32 is widened
+    std::vector<std::int64_t> integers(const std::string& path) const;
+    std::string text(const std::string& group, const std::string& attribute) const;
+    std::vector<std::int64_t> integers(const std::string& group,
+                                       const std::string& attribute) const;
+    double number(const std::string& group, const std::string& attribute) const;
+    const std::filesystem::path& file() const;
+
+private:
+    struct Content;
+    std::unique_ptr<Content> content_;
+};
+
+} // namespace fpm

@@ -1,0 +1,240 @@
+#include "io/Table.h"
+
+#include "base/Error.h"
+#include "base/Format.h"
+#include "io/AtomicFile.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace fpm {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool isCsv(const std::filesystem::path& file)
+{
+    return file.extension() == ".csv";
+}
+
+std::vector<std::string_view> cells(std::string_view line, bool csv)
+{
+    std::vector<std::string_view> found;
+    const std::string_view separators = csv ? "," : blanks;
+    while (true) {
+        const auto end = line.find_first_of(separators);
+        const auto cell = trimmed(line.substr(0, end));
+        if (csv || !cell.empty()) found.push_back(cell);
+        if (end == std::string_view::npos) return found;
+        line.remove_prefix(end + 1);
+    }
+}
+
+/// A missing value (",,") is not a number, and neither is a word.
+std::optional<double> number(std::string_view cell)
+{
+    if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (cell.front() == '+') cell.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error == std::errc::result_out_of_range && end == cell.data() + cell.size()) return 0.0;
+    if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+    return value;
+}
+
+/// Collects the lines of one file; `lastIsWhole` tells whether the last one had its line end.
+class TableReader
+{
+public:
+    TableReader(const std::filesystem::path& file, bool lastIsWhole)
+        : file_(file),
+          csv_(isCsv(file)),
+          lastIsWhole_(lastIsWhole)
+    {
+    }
+
+    void take(std::string_view line, bool isLast)
+    {
+        ++lineNumber_;
+        line = trimmed(line);
+        if (line.empty()) return;
+        if (line.front() == '#') {
+            if (table_.columns.empty()) comment_ = trimmed(line.substr(1));
+            return;
+        }
+        const auto texts = cells(line, csv_);
+        if (table_.columns.empty() && takeHeader(texts)) return;
+        takeRow(texts, isLast);
+    }
+
+    Table finish()
+    {
+        if (table_.columns.empty()) nameColumns(cells(comment_, csv_));
+        return std::move(table_);
+    }
+
+private:
+    void nameColumns(const std::vector<std::string_view>& names)
+    {
+        for (const auto name : names)
+            if (!name.empty()) table_.columns.emplace_back(name);
+        if (table_.columns.empty()) fail("no line names the columns");
+    }
+
+    /// The line before the first row names the columns, with or without '#'.
+    bool takeHeader(const std::vector<std::string_view>& texts)
+    {
+        if (number(texts.front())) {
+            nameColumns(cells(comment_, csv_));
+            return false;
+        }
+        nameColumns(texts);
+        return true;
+    }
+
+    void takeRow(const std::vector<std::string_view>& texts, bool isLast)
+    {
+        const bool cut = isLast && !lastIsWhole_;
+        // Histories end every line; a hand-made .csv often ends without.
+        if (cut && (!csv_ || texts.size() != table_.columns.size())) return;
+        if (texts.size() != table_.columns.size())
+            fail(
+                format("{} values, but {} columns are named", texts.size(), table_.columns.size()));
+        std::vector<double> row;
+        for (const auto text : texts) {
+            const auto value = number(text);
+            if (!value) fail("expected a number, got '" + std::string(text) + "'");
+            row.push_back(*value);
+        }
+        table_.rows.push_back(std::move(row));
+    }
+
+    [[noreturn]] void fail(const std::string& reason) const
+    {
+        throw Error(ExitCode::fileIo,
+                    format("table {}:{}: {}", file_.string(), lineNumber_, reason),
+                    "expected a line of column names, then rows of as many numbers");
+    }
+
+    std::filesystem::path file_;
+    bool csv_, lastIsWhole_;
+    int lineNumber_ = 0;
+    std::string comment_;
+    Table table_;
+};
+
+std::string header(const std::vector<std::string>& columns, bool csv)
+{
+    std::string text = csv ? "" : "# ";
+    for (std::size_t column = 0; column < columns.size(); ++column)
+        text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
+    return text + "\n";
+}
+
+template <class Values>
+std::string rowText(const Values& values, char separator)
+{
+    std::string text;
+    for (const double value : values) {
+        if (!text.empty()) text += separator;
+        text += toText(value);
+    }
+    return text + "\n";
+}
+
+} // namespace
+
+std::size_t Table::column(const std::string& name) const
+{
+    const auto found = std::ranges::find(columns, name);
+    if (found != columns.end()) return std::size_t(found - columns.begin());
+    std::string names;
+    for (const auto& one : columns) names += (names.empty() ? "" : " ") + one;
+    throw Error(ExitCode::dictionary, "the table has no column '" + name + "'",
+                "columns there are: " + names);
+}
+
+std::vector<double> Table::values(const std::string& name) const
+{
+    const std::size_t index = column(name);
+    std::vector<double> found;
+    found.reserve(rows.size());
+    for (const auto& row : rows) found.push_back(row.at(index));
+    return found;
+}
+
+Table readTable(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!std::filesystem::is_regular_file(file) || !stream)
+        throw Error(ExitCode::fileIo, "cannot open the table '" + file.string() + "'",
+                    "paths are taken from the case folder; was the run that writes it started?");
+    const std::string text((std::istreambuf_iterator<char>(stream)), {});
+    TableReader reader(file, text.ends_with('\n'));
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        reader.take(std::string_view(text).substr(begin, end - begin), end + 1 >= text.size());
+        begin = end + 1;
+    }
+    return reader.finish();
+}
+
+void writeTable(const std::filesystem::path& file, const Table& table)
+{
+    const bool csv = isCsv(file);
+    std::string text = header(table.columns, csv);
+    for (const auto& row : table.rows) text += rowText(row, csv ? ',' : ' ');
+    writeFileAtomically(file, text);
+}
+
+HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<std::string>& columns)
+    : file_(file),
+      columnCount_(columns.size())
+{
+    std::error_code error;
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+    stream_.open(file, std::ios::binary | std::ios::trunc);
+    write(header(columns, isCsv(file)));
+}
+
+void HistoryFile::append(std::initializer_list<double> values)
+{
+    requireCount(values.size());
+    write(rowText(values, isCsv(file_) ? ',' : ' '));
+}
+
+void HistoryFile::append(const std::vector<double>& values)
+{
+    requireCount(values.size());
+    write(rowText(values, isCsv(file_) ? ',' : ' '));
+}
+
+void HistoryFile::requireCount(std::size_t count) const
+{
+    if (count != columnCount_)
+        throw Error(ExitCode::internal,
+                    format("{}: {} values for {} columns", file_.string(), count, columnCount_));
+}
+
+void HistoryFile::write(const std::string& text)
+{
+    stream_.write(text.data(), std::streamsize(text.size()));
+    stream_.flush();
+    if (!stream_)
+        throw Error(ExitCode::fileIo, "cannot write the history '" + file_.string() + "'",
+                    "check free space, quota and permissions");
+}
+
+} // namespace fpm

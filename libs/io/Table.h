@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// A .dat or .csv table: a header naming the columns (after '#' in .dat), then rows of numbers.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> rows;
+
+    /// Index of a column; throws Error(dictionary) listing the columns there are.
+    std::size_t column(const std::string& name) const;
+    std::vector<double> values(const std::string& name) const;
+};
+
+/// Reads whitespace- (.dat) or comma-separated (.csv) columns. The line before the first row names
+/// them, with or without '#'; other '#' lines are comments; an empty .csv cell is NaN. A last line
+/// cut short (.dat: one without line end) is ignored. Throws Error(fileIo) with file and line.
+Table readTable(const std::filesystem::path& file);
+/// Whole table at once, complete or absent.
+void writeTable(const std::filesystem::path& file, const Table& table);
+
+/// A history that grows by one line a sample: "# time ux uy uz" then shortest round-trip numbers.
+/// Each line is flushed, so that it can be plotted while the run goes on. Throws Error(fileIo).
+class HistoryFile
+{
+public:
+    HistoryFile(const std::filesystem::path& file, const std::vector<std::string>& columns);
+    void append(std::initializer_list<double> values);
+    void append(const std::vector<double>& values);
+
+private:
+    void requireCount(std::size_t count) const;
+    void write(const std::string& text);
+
+    std::ofstream stream_;
+    std::filesystem::path file_;
+    std::size_t columnCount_;
+};
+
+} // namespace fpm

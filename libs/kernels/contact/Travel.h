@@ -1,0 +1,78 @@
+#pragma once
+
+#include "base/Types.h"
+#include "kernels/particle/StepClock.h"
+#include "parallel/Precision.h"
+
+namespace fpm {
+
+/// How far the contact nodes have come since the last search, and how fast they are: largest square
+/// of a block of 256 nodes. One index = one block; exact and independent of the order.
+template <class Precision>
+struct ContactTravel {
+    Index count;
+    const Index* nodes;
+    const typename Precision::Position* position;
+    const typename Precision::Motion* velocity;
+    std::size_t nodeStride;
+    const double* searchPosition; ///< three planes of `count`
+    double* travel;               ///< [block][2]: distance and speed, squared
+
+    FPM_KERNEL void operator()(Index block) const
+    {
+        double distance = 0, speed = 0;
+        const Index first = 256 * block, last = first + 256 < count ? first + 256 : count;
+        for (Index i = first; i < last; ++i) {
+            double d2 = 0, v2 = 0;
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
+                const double d = double(position[at]) - searchPosition[c * std::size_t(count) + i];
+                const double v = double(velocity[at]);
+                d2 += d * d;
+                v2 += v * v;
+            }
+            distance = d2 > distance ? d2 : distance;
+            speed = v2 > speed ? v2 : speed;
+        }
+        travel[2 * block] = distance;
+        travel[2 * block + 1] = speed;
+    }
+};
+
+/// Remembers where the contact nodes were at a search.
+template <class Precision>
+struct RememberPositions {
+    Index count;
+    const Index* nodes;
+    const typename Precision::Position* position;
+    std::size_t nodeStride;
+    double* searchPosition;
+
+    FPM_KERNEL void operator()(Index i) const
+    {
+        for (int c = 0; c < 3; ++c)
+            searchPosition[c * std::size_t(count) + i] =
+                double(position[c * nodeStride + std::size_t(nodes[i])]);
+    }
+};
+
+/// Empties the sums of the contact nodes before the pairs add to them; a clock that stands still
+/// keeps the forces of its time.
+struct ClearContactSum {
+    std::int64_t* sum;
+    const StepClock* clock;
+    FPM_KERNEL void operator()(Index i) const
+    {
+        if (clock->running) sum[i] = 0;
+    }
+};
+
+/// values[i] = value.
+template <class T>
+struct Fill {
+    T* values;
+    T value;
+    FPM_KERNEL void operator()(Index i) const { values[i] = value; }
+};
+
+} // namespace fpm

@@ -1,0 +1,249 @@
+#pragma once
+
+#include "kernels/BlockSum.h"
+#include "kernels/element/Hexahedron.h"
+#include "kernels/particle/StepClock.h"
+#include "parallel/Precision.h"
+
+namespace fpm {
+
+/// A patch as the element kernel sees it. Element values lie in tiles: value k of local element e
+/// of a quantity with n values is at [n * tile + k * stride + e], stride = elements rounded up
+/// to 16.
+struct PatchHeader {
+    Index elementCount, stride;
+    Index tile; ///< padded elements in all patches before
+    Index firstSlot, nodeCount;
+    Index material;
+};
+
+inline constexpr Index patchCapacity = 256;
+inline constexpr int elementEnergies = 4; ///< internal, plastic, hourglass, bulk viscosity
+inline constexpr int elementSums = elementEnergies + 1; ///< and the stable step
+
+/// Bytes of scratch a patch of `nodes` nodes needs: nodes, corner forces, sums.
+template <class Work>
+constexpr std::size_t elementScratch(std::size_t nodes)
+{
+    return ((8 * nodes + 31) / 32 * 32 + (24 + elementSums) * patchCapacity) * sizeof(Work)
+           + blockSumScratch(elementSums);
+}
+
+/// Stress update and internal force of the elements of one patch: loads the patch's nodes into
+/// scratch, works the elements, and sums their corner forces per node in ascending element order.
+/// Boundary nodes get one partial sum a patch; the node pass adds those in patch order.
+template <class Precision, class Material, class Hourglass>
+struct ElementPass {
+    using Work = typename Precision::Work;
+    using Position = typename Precision::Position;
+    using Motion = typename Precision::Motion;
+    using Sum = typename Precision::Sum;
+
+    const Index* list; ///< patches of this kind
+    const PatchHeader* patches;
+    const MaterialConstants<Work>* materials;
+    const Index* slotNode;
+    const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
+    const Index* slotCornerStart;
+    const std::uint16_t* slotCorners; ///< corner * 256 + element, ascending element
+    const Position* position;         ///< three planes, nodeStride apart
+    const Motion* velocity;
+    std::size_t nodeStride;
+    const Work* mass;   ///< tiles of 1
+    Work* stress;       ///< tiles of 6
+    Sum* plasticStrain; ///< tiles of 1
+    Work* hourglass;    ///< tiles of 12
+    Work* slotForce;    ///< three planes, slotStride apart
+    std::size_t slotStride;
+    double* patchEnergy; ///< [patch][elementEnergies], running sums
+    double* patchStep;   ///< [patch], stable step
+    const StepClock* clock;
+    Work strainPoint;
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index block) const
+    {
+        if (!clock->running) return;
+        const Index number = list[block];
+        const PatchHeader patch = patches[number];
+        Work* nodes = reinterpret_cast<Work*>(team.scratch());
+        Work* forces = nodes + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
+        Work* sums = forces + 24 * patchCapacity;
+        double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
+
+        loadNodes(team, patch, nodes);
+        team.barrier();
+        workElements(team, patch, nodes, forces, sums);
+        team.barrier();
+        gatherForces(team, patch, forces);
+        const Index count = patch.elementCount;
+        blockSums(team, elementEnergies, count, sums, patchCapacity, partial);
+        blockMinimum(team, count, sums + elementEnergies * patchCapacity,
+                     partial + elementEnergies * blockSumLanes);
+        team.barrier();
+        double* energy = patchEnergy + elementEnergies * std::size_t(number);
+        double* step = patchStep + number;
+        team.forEach(elementSums, [=](Index k) {
+            if (k < elementEnergies)
+                energy[k] += blockSumResult(partial, k);
+            else
+                *step = blockMinimumResult(partial + k * blockSumLanes);
+        });
+        team.barrier();
+    }
+
+private:
+    /// Coordinates relative to the patch's first node, and increments: the only place where
+    /// positions are read, subtracted in Position and kept in Work.
+    template <class Team>
+    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* nodes) const
+    {
+        const Index* slots = slotNode + patch.firstSlot;
+        const Index count = patch.nodeCount;
+        const std::size_t origin = std::size_t(slots[0]), planes = nodeStride;
+        const Motion dt = Motion(clock->step);
+        const Position* x = position;
+        const Motion* v = velocity;
+        team.forEach(count, [=](Index i) {
+            const std::size_t node = std::size_t(slots[i]);
+            Work *place = nodes + 4 * i, *increment = nodes + 4 * (count + i);
+            for (int c = 0; c < 3; ++c) {
+                const std::size_t plane = c * planes;
+                place[c] = difference<Work>(x[plane + node], x[plane + origin]);
+                increment[c] = Work(dt * v[plane + node]);
+            }
+        });
+    }
+
+    template <class Team>
+    FPM_KERNEL void workElements(const Team& team,
+                                 const PatchHeader& patch,
+                                 const Work* nodes,
+                                 Work* forces,
+                                 Work* sums) const
+    {
+        using T = typename Team::template Number<Work>;
+        const MaterialConstants<Work>& m = materials[patch.material];
+        const Work rate = clock->step > 0 ? Work(1 / clock->step) : Work(0);
+        const Index stride = patch.stride, count = patch.nodeCount;
+        const std::size_t tile = std::size_t(patch.tile);
+        team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
+            Modes<T> x, w;
+            loadModes(nodes, corners + 8 * tile + e, stride, x);
+            loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
+            ElementState<T> state;
+            loadState(state, tile, stride, e);
+            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
+                m, x, w, load<T>(mass + tile + e), rate, strainPoint, state);
+            storeState(state, step, tile, stride, e);
+            storeForces(w, forces + e);
+            store(sums + e, step.internal);
+            store(sums + patchCapacity + e, step.plastic);
+            store(sums + 2 * patchCapacity + e, step.hourglass);
+            store(sums + 3 * patchCapacity + e, step.bulkViscosity);
+            store(sums + 4 * patchCapacity + e, step.stableTimeStep);
+        });
+    }
+
+    template <class T>
+    FPM_KERNEL static void
+    loadModes(const Work* nodes, const std::uint16_t* corner, Index stride, Modes<T>& out)
+    {
+        T x[8], y[8], z[8], m[8];
+        for (int i = 0; i < 8; ++i) gather<T>(nodes, corner + i * stride, x[i], y[i], z[i]);
+        toModes(x, m);
+        for (int k = 1; k < 8; ++k) out.mode[k].x = m[k];
+        toModes(y, m);
+        for (int k = 1; k < 8; ++k) out.mode[k].y = m[k];
+        toModes(z, m);
+        for (int k = 1; k < 8; ++k) out.mode[k].z = m[k];
+    }
+
+    template <class T>
+    FPM_KERNEL void loadState(ElementState<T>& state, std::size_t tile, Index stride, Index e) const
+    {
+        const Work* s = stress + 6 * tile + e;
+        state.stress = {load<T>(s),
+                        load<T>(s + stride),
+                        load<T>(s + 2 * stride),
+                        load<T>(s + 3 * stride),
+                        load<T>(s + 4 * stride),
+                        load<T>(s + 5 * stride)};
+        if constexpr (Material::plastic)
+            state.equivalentPlasticStrain = load<T>(plasticStrain + tile + e);
+        if constexpr (Hourglass::stateSize > 0) {
+            const Work* q = hourglass + 12 * tile + e;
+            for (int j = 0; j < 4; ++j)
+                state.hourglass[j] = {load<T>(q + 3 * j * stride),
+                                      load<T>(q + (3 * j + 1) * stride),
+                                      load<T>(q + (3 * j + 2) * stride)};
+        }
+    }
+
+    template <class T>
+    FPM_KERNEL void storeState(const ElementState<T>& state,
+                               const ElementStep<T>& step,
+                               std::size_t tile,
+                               Index stride,
+                               Index e) const
+    {
+        Work* s = stress + 6 * tile + e;
+        store(s, state.stress.xx);
+        store(s + stride, state.stress.yy);
+        store(s + 2 * stride, state.stress.zz);
+        store(s + 3 * stride, state.stress.xy);
+        store(s + 4 * stride, state.stress.yz);
+        store(s + 5 * stride, state.stress.zx);
+        if constexpr (Material::plastic)
+            accumulate(plasticStrain + tile + e, step.plasticStrainIncrement);
+        if constexpr (Hourglass::stateSize > 0) {
+            Work* q = hourglass + 12 * tile + e;
+            for (int j = 0; j < 4; ++j) {
+                store(q + 3 * j * stride, state.hourglass[j].x);
+                store(q + (3 * j + 1) * stride, state.hourglass[j].y);
+                store(q + (3 * j + 2) * stride, state.hourglass[j].z);
+            }
+        }
+    }
+
+    /// Corner forces into scratch: [3 * corner + component][256].
+    template <class T>
+    FPM_KERNEL static void storeForces(const Modes<T>& f, Work* forces)
+    {
+        T m[8], c[8];
+        for (int k = 0; k < 8; ++k) m[k] = f.mode[k].x;
+        toCorners(m, c);
+        for (int i = 0; i < 8; ++i) store(forces + (3 * i) * patchCapacity, c[i]);
+        for (int k = 0; k < 8; ++k) m[k] = f.mode[k].y;
+        toCorners(m, c);
+        for (int i = 0; i < 8; ++i) store(forces + (3 * i + 1) * patchCapacity, c[i]);
+        for (int k = 0; k < 8; ++k) m[k] = f.mode[k].z;
+        toCorners(m, c);
+        for (int i = 0; i < 8; ++i) store(forces + (3 * i + 2) * patchCapacity, c[i]);
+    }
+
+    template <class Team>
+    FPM_KERNEL void
+    gatherForces(const Team& team, const PatchHeader& patch, const Work* forces) const
+    {
+        const Index* start = slotCornerStart + patch.firstSlot;
+        const std::uint16_t* entries = slotCorners;
+        Work* out = slotForce + patch.firstSlot;
+        const std::size_t planes = slotStride;
+        team.forEach(patch.nodeCount, [=](Index i) {
+            Work x = 0, y = 0, z = 0;
+            for (Index k = start[i]; k < start[i + 1]; ++k) {
+                const int entry = entries[k];
+                const Work* f = forces + 3 * (entry >> 8) * patchCapacity + (entry & 255);
+                x += f[0];
+                y += f[patchCapacity];
+                z += f[2 * patchCapacity];
+            }
+            out[i] = x;
+            out[planes + i] = y;
+            out[2 * planes + i] = z;
+        });
+    }
+};
+
+} // namespace fpm

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "kernels/element/Hourglass.h"
+#include "kernels/material/J2Plasticity.h"
+
+#include <type_traits>
+
+namespace fpm {
+
+/// Where an element stands: its state before the step, and after updateHexahedron.
+template <class T>
+struct ElementState {
+    Sym3<T> stress; ///< Cauchy, global axes
+    T equivalentPlasticStrain;
+    Vec3<T> hourglass[4]; ///< generalised forces Q
+};
+
+/// What one step of an element adds to the ledger, and the step it could take next.
+template <class T>
+struct ElementStep {
+    T internal, hourglass, bulkViscosity; ///< work done in this step
+    T plastic; ///< dissipated by flow: part of internal and, where the section yields, of hourglass
+    T plasticStrainIncrement;
+    T stableTimeStep; ///< Flanagan-Belytschko with bulk viscosity; <= 0 or NaN: inverted
+};
+
+/// One time step of FPM-H8R (the paper, section 2; one point, exact mean gradient). `x`: modes of
+/// the corner coordinates at the end of the step, `increment`: modes of the displacement over the
+/// step; on return `increment` holds the modes of the internal force on the corners.
+/// `strainPoint`: where the strain is measured, 0.5 mid-step, 1 start of the step (the paper).
+template <class Material, class Hourglass, class T>
+FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>& m,
+                                           const Modes<T>& x,
+                                           Modes<T>& increment,
+                                           const T& mass,
+                                           ScalarOf<T> rate,
+                                           ScalarOf<T> strainPoint,
+                                           ElementState<T>& state)
+{
+    using Real = ScalarOf<T>;
+    const T one = T(Real(1)), half = T(Real(0.5)), zero = T(Real(0));
+    const Mat3<T> rotation = midSurfaceRotation(x, increment);
+
+    // Reverse motion: what is left of the increment when the rotation is taken out.
+    Modes<T>& w = increment;
+    for (int k = 1; k < 8; ++k) w.mode[k] = w.mode[k] - rotation * (x.mode[k] - w.mode[k]);
+    Modes<T> middle;
+    for (int k = 1; k < 8; ++k) middle.mode[k] = multiplyAdd(T(-strainPoint), w.mode[k], x.mode[k]);
+
+    const Gradient<T> strainGradient = meanGradient(middle);
+    const T inverseVolume64 = one / strainGradient.volume64;
+    Mat3<T> l{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+    for (int k = 1; k < 7; ++k) addOuter(l, w.mode[k], strainGradient.g[k]);
+    l = {inverseVolume64 * l.x, inverseVolume64 * l.y, inverseVolume64 * l.z};
+    const Sym3<T> strain{l.x.x,
+                         l.y.y,
+                         l.z.z,
+                         half * (l.x.y + l.y.x),
+                         half * (l.y.z + l.z.y),
+                         half * (l.z.x + l.x.z)};
+
+    const T volume = strainGradient.volume64 * T(Real(1) / Real(64));
+    const T density = T(Real(64)) * mass * inverseVolume64;
+    const T square = gradientSquare512(strainGradient) * T(Real(1) / Real(512));
+    const HourglassTrial<T> hourglass = Hourglass::template trial<T>(
+        m,
+        HourglassInput<T>{middle, w, l, rotation, volume, T(Real(64)) * inverseVolume64, square,
+                          T(rate), density},
+        state.hourglass);
+
+    const Sym3<T> before = rotated(rotation, state.stress);
+    state.stress = elasticStress<T>(m, before, strain);
+    PlasticStep<T> plastic{zero, zero, zero};
+    T share = one; // of the trial hourglass forces that the section can bear
+    if constexpr (Material::plastic) {
+        plastic =
+            radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
+        share = one - T(m.coupledHourglass) * plastic.reduction;
+        if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
+            for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+    }
+
+    ElementStep<T> step;
+    step.plasticStrainIncrement = plastic.strainIncrement;
+    const T bent = plastic.reduction * (one - plastic.reduction) * hourglass.bendingEnergy;
+    step.plastic = volume * (plastic.work + bent);
+    step.internal = volume * (half * contract(before + state.stress, strain));
+
+    // Largest frequency: omega^2 <= 8 (lambda + 2 mu) B B / (rho V^2) (Flanagan and Belytschko
+    // 1984).
+    const T length = volume / squareRoot(square + square);
+    const T slowness = squareRoot(density * T(Real(1) / m.pressureWaveModulus));
+    const T waveSpeed = one / slowness, undamped = length * slowness;
+
+    // Bulk viscosity: linear in both signs, quadratic in compression; in the force, not the stress.
+    const T volumetric = strain.xx + strain.yy + strain.zz;
+    const T compression = maximum(-(volumetric * T(rate)), zero);
+    const T quadratic = T(m.quadraticViscosity * m.quadraticViscosity) * length * compression;
+    const T viscousPressure =
+        density * length
+        * (T(m.linearViscosity) * waveSpeed * (volumetric * T(rate)) - quadratic * compression);
+    step.bulkViscosity = volume * viscousPressure * volumetric;
+    const T damping = T(m.linearViscosity) + quadratic * slowness;
+    step.stableTimeStep =
+        undamped * (squareRoot(fusedMultiplyAdd(damping, damping, one)) - damping);
+    step.stableTimeStep = select(volume > zero, step.stableTimeStep, -one);
+
+    step.hourglass = fusedMultiplyAdd(share, hourglass.workTrial, hourglass.workStart);
+
+    // Force modes at the end of the step: sigma : B plus the orthogonal hourglass part.
+    const Gradient<T> forceGradient = meanGradient(x);
+    const T inverse = one / forceGradient.volume64;
+    const T sixtyFourth = T(Real(1) / Real(64));
+    Mat3<T> s = matrix(sixtyFourth * state.stress);
+    const T pressure = sixtyFourth * viscousPressure;
+    s.x.x += pressure;
+    s.y.y += pressure;
+    s.z.z += pressure;
+    Vec3<T> q[4];
+    for (int j = 0; j < 4; ++j) q[j] = state.hourglass[j];
+    if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>) {
+        const Mat3<T> toGlobal = transpose(PhysicalHourglass::frame(x));
+        for (int j = 0; j < 4; ++j) q[j] = toGlobal * q[j];
+    }
+    for (int j = 0; j < 4; ++j) addOuter(s, (-inverse) * q[j], x.mode[hourglassMode(j)]);
+    for (int k = 1; k < 7; ++k) w.mode[k] = s * forceGradient.g[k];
+    w.mode[7] = q[3];
+    for (int j = 0; j < 3; ++j) w.mode[hourglassMode(j)] += q[j];
+    w.mode[0] = {zero, zero, zero};
+    return step;
+}
+
+} // namespace fpm

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "kernels/material/Elastic.h"
+
+namespace fpm {
+
+/// J2 flow with tabulated isotropic hardening sigma_y(ebar), piecewise linear.
+struct J2Plasticity {
+    static constexpr bool plastic = true;
+};
+
+/// Radial return: takes the elastic trial stress to the yield surface sqrt(3 J2) = sigma_y(ebar)
+/// (Simo and Hughes; in the paper's variables ||s|| = sqrt(2/3) sigma_y). Exact for each linear
+/// piece: q_tr - 3 mu d = sigma_y + H (ebar + d - strain). Stress is changed in place.
+/// `bending`: equivalent bending stress q_b of the section (PhysicalHourglass), 0 for none. Yield
+/// is then the limit surface of a solid section, (q / sigma_y)^2 + q_b / sigma_y = 1, which the
+/// stress (q_b + sqrt(q_b^2 + 4 q^2)) / 2 measures; membrane and bending are reduced by the same
+/// share.
+template <class T>
+FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
+                                       const T& plasticStrain,
+                                       const T& bending,
+                                       Sym3<T>& s)
+{
+    using Real = ScalarOf<T>;
+    const T zero = T(Real(0));
+    const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
+    const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    // The smallest normal number keeps 0/0 away where there is no stress at all.
+    const T tiny = T(Real(1e-30));
+    const T square = fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny);
+    const T trial =
+        T(Real(0.5))
+        * (bending + squareRoot(fusedMultiplyAdd(bending, bending, T(Real(4)) * square)));
+
+    T increment = (trial - T(m.stress[0]) - T(m.slope[0]) * (plasticStrain - T(m.strain[0])))
+                  * T(Real(1) / (m.threeMu + m.slope[0]));
+    for (int row = 1; row < m.rows; ++row) {
+        const auto beyond = plasticStrain + maximum(increment, zero) > T(m.strain[row]);
+        const T here =
+            (trial - T(m.stress[row]) - T(m.slope[row]) * (plasticStrain - T(m.strain[row])))
+            * T(Real(1) / (m.threeMu + m.slope[row]));
+        increment = select(beyond, here, increment);
+    }
+    increment = maximum(increment, zero);
+
+    // Subtracting keeps an elastic stress as it is, to the last bit.
+    const T reduction = T(m.threeMu) * increment / trial;
+    s = s + (-reduction) * deviator;
+    return {increment, (T(Real(1)) - reduction) * increment * (square / trial), reduction};
+}
+
+} // namespace fpm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/Types.h"
+#include "parallel/Kernel.h"
+
+namespace fpm {
+
+/// A driven or loaded set of nodes on the device: value(t) = value * amplitude(t).
+struct Condition {
+    std::int32_t kind;       ///< 0 displacement, 1 velocity, 2 force per node
+    std::int32_t components; ///< bits 0..2: x y z
+    std::int32_t smooth;     ///< rows joined by tau^3 (10 - 15 tau + 6 tau^2) instead of lines
+    Index firstRow, rowCount;
+    double value[3];
+};
+
+/// Factor of an amplitude table (rows of time, factor) at `time`; held outside the table.
+FPM_KERNEL double amplitudeAt(const Condition& condition, const double* rows, double time)
+{
+    const double* row = rows + 2 * std::size_t(condition.firstRow);
+    const Index last = condition.rowCount - 1;
+    if (time <= row[0] || last == 0) return row[1];
+    if (time >= row[2 * last]) return row[2 * last + 1];
+    Index i = 1;
+    while (time > row[2 * i]) ++i;
+    const double tau = (time - row[2 * i - 2]) / (row[2 * i] - row[2 * i - 2]);
+    const double s = condition.smooth ? tau * tau * tau * (10 + tau * (6 * tau - 15)) : tau;
+    return row[2 * i - 1] + s * (row[2 * i + 1] - row[2 * i - 1]);
+}
+
+} // namespace fpm

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "base/Types.h"
+#include "parallel/Kernel.h"
+
+#include <cmath>
+
+namespace fpm {
+
+/// Time and step of the run, in the memory of the device: no kernel argument changes between steps
+/// and nothing waits for the host.
+struct StepClock {
+    double time = 0;             ///< t of the positions
+    double lost = 0;             ///< rounding of `time`, carried along (Kahan)
+    double step = 0;             ///< step that led to the positions, dt^(n-1/2)
+    double mean = 0;             ///< (dt^(n-1/2) + dt^(n+1/2)) / 2, for the velocity
+    double stop = 0;             ///< time that is hit exactly; then the clock stands still
+    double stableStep = 0;       ///< last bound from elements and contact, before the safety factor
+    double elementStep = 0;      ///< last bound from elements alone
+    double contactFrequency = 0; ///< last bound omega_c of the contact springs
+    std::int64_t steps = 0;
+    std::int32_t running = 1; ///< 0: `stop` is reached, nothing moves
+    std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
+                              ///< step is beyond the bound; nothing moves
+};
+
+/// Rules of the step size, fixed for a run.
+struct StepRules {
+    double safety = 0.9;       ///< of 2 / sqrt(omega_e^2 + omega_c^2)
+    double contactLimit = 0.5; ///< omega_c dt, so that a touch creates no energy
+    double fixedStep = 0;      ///< > 0: this step
+    double growth = 1.1;       ///< largest ratio of successive steps
+};
+
+/// Chooses dt^(n+1/2) from the bounds of this step and moves the clock by it.
+FPM_KERNEL void
+advanceClock(StepClock& clock, const StepRules& rules, double elementStep, double contactSquare)
+{
+    clock.elementStep = elementStep;
+    clock.contactFrequency = ::sqrt(contactSquare);
+    if (!(elementStep > 0) || !(elementStep < 1e300) || !(contactSquare >= 0)
+        || !(contactSquare < 1e300))
+        clock.failed = 1;
+    if (clock.failed || clock.time >= clock.stop) clock.running = 0;
+    if (!clock.running) return;
+    const double elementSquare = 4 / (elementStep * elementStep);
+    clock.stableStep = 2 / ::sqrt(elementSquare + contactSquare);
+    if (rules.fixedStep > clock.stableStep) {
+        clock.failed = 2;
+        clock.running = 0;
+        return;
+    }
+    double next = rules.safety * clock.stableStep;
+    if (clock.contactFrequency * next > rules.contactLimit)
+        next = rules.contactLimit / clock.contactFrequency;
+    if (clock.step > 0 && next > rules.growth * clock.step) next = rules.growth * clock.step;
+    if (rules.fixedStep > 0) next = rules.fixedStep;
+
+    // Meet `stop` without a sliver of a last step.
+    const double left = clock.stop - clock.time;
+    if (left <= next * 1.000001)
+        next = left;
+    else if (left < 2 * next && rules.fixedStep <= 0)
+        next = left / 2;
+    clock.mean = (clock.step + next) / 2;
+    clock.step = next;
+    const double part = next - clock.lost;
+    const double sum = clock.time + part;
+    clock.lost = (sum - clock.time) - part;
+    clock.time = sum;
+    if (left <= next * 1.000001) {
+        clock.time = clock.stop;
+        clock.lost = 0;
+    }
+    ++clock.steps;
+}
+
+} // namespace fpm

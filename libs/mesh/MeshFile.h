@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mesh/Mesh.h"
+
+#include <filesystem>
+
+namespace fpm {
+
+/// constant/mesh.vtkhdf: a grid ParaView opens (cell data "Part", "Patch"), and under /fpm parts,
+/// patches, sets, contact surfaces and a checksum over all of it. Complete or absent.
+void writeMesh(const std::filesystem::path& file, const Mesh& mesh);
+/// Throws Error(mesh): not there (advice: run fpmMesh), damaged, wrong version, lying counts.
+Mesh readMesh(const std::filesystem::path& file);
+/// Checksum of coordinates, connectivity, parts and sets (not of the contact surfaces).
+std::string meshChecksum(const Mesh& mesh);
+
+} // namespace fpm

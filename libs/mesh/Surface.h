@@ -1,0 +1,18 @@
+#pragma once
+
+#include "mesh/Mesh.h"
+
+#include <span>
+
+namespace fpm {
+
+/// Outer sides of a part: sides that belong to one of its elements only, ascending.
+std::vector<ElementSide> skin(const Mesh& mesh, Index part);
+/// Nodes on the given sides, ascending, each once.
+std::vector<Index> nodesOf(const Mesh& mesh, std::span<const ElementSide> sides);
+Point centre(const Mesh& mesh, const ElementSide& side);
+/// Outward unit normal at the centre of the side (zero vector for a degenerate side).
+Point normal(const Mesh& mesh, const ElementSide& side);
+double area(const Mesh& mesh, const ElementSide& side);
+
+} // namespace fpm

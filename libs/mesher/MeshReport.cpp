@@ -1,0 +1,72 @@
+#include "mesher/MeshReport.h"
+
+#include "base/Format.h"
+#include "mesh/Quality.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+namespace fpm {
+
+namespace {
+
+constexpr std::size_t nameWidth = 20, numberWidth = 12;
+constexpr int digits = 5;
+
+std::string row(std::string name, const std::array<std::string, 7>& cells)
+{
+    name.resize(std::max(nameWidth, name.size() + 1), ' ');
+    for (const auto& cell : cells) {
+        name.append(cell.size() < numberWidth ? numberWidth - cell.size() : 1, ' ');
+        name += cell;
+    }
+    return name;
+}
+
+std::string nameOf(const Mesh& body)
+{
+    std::string names;
+    for (const auto& part : body.parts) names += (names.empty() ? "" : " ") + part.name;
+    return names;
+}
+
+} // namespace
+
+MeshReport::MeshReport(Log& log)
+    : log_(log),
+      minScaledJacobian_(std::numeric_limits<double>::infinity()),
+      minHeight_(std::numeric_limits<double>::infinity())
+{
+    log_.line(row("body", {"elements", "nodes", "Jacobian min", "median", "edge ratio",
+                           "min height", "volume"}));
+}
+
+void MeshReport::add(const Mesh& body)
+{
+    const Quality figures = quality(body);
+    log_.line(
+        row(nameOf(body),
+            {toText(body.hexahedra.size()), toText(body.points.size()),
+             toText(figures.minScaledJacobian, digits),
+             toText(figures.medianScaledJacobian, digits), toText(figures.maxEdgeRatio, digits),
+             toText(figures.minHeight, digits), toText(figures.totalVolume, digits)}));
+    ++bodies_;
+    elements_ += body.hexahedra.size();
+    nodes_ += body.points.size();
+    minScaledJacobian_ = std::min(minScaledJacobian_, figures.minScaledJacobian);
+    minHeight_ = std::min(minHeight_, figures.minHeight);
+    maxEdgeRatio_ = std::max(maxEdgeRatio_, figures.maxEdgeRatio);
+    volume_ += figures.totalVolume;
+}
+
+void MeshReport::total()
+{
+    log_.line(
+        row(format("total, {} {}", bodies_, bodies_ == 1 ? "body" : "bodies"),
+            {toText(elements_), toText(nodes_), toText(minScaledJacobian_, digits), "",
+             toText(maxEdgeRatio_, digits), toText(minHeight_, digits), toText(volume_, digits)}));
+}
+
+} // namespace fpm

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/Log.h"
+#include "mesh/Mesh.h"
+
+#include <cstddef>
+
+namespace fpm {
+
+/// The table of fpmMesh: a line for each body as it is done, and one for all of them.
+class MeshReport
+{
+public:
+    /// Prints the head of the table.
+    explicit MeshReport(Log& log);
+    void add(const Mesh& body);
+    void total();
+
+private:
+    Log& log_;
+    std::size_t bodies_ = 0, elements_ = 0, nodes_ = 0;
+    double minScaledJacobian_, minHeight_, maxEdgeRatio_ = 0, volume_ = 0;
+};
+
+} // namespace fpm

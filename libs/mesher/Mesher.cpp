@@ -1,0 +1,24 @@
+#include "mesher/Mesher.h"
+
+#include "mesh/Patches.h"
+#include "mesher/Bodies.h"
+#include "mesher/Sets.h"
+
+namespace fpm {
+
+Mesh makeMesh(const Dictionary& meshDict, const Case& theCase, bool allowGeo, Log& log)
+{
+    // Everything is read before anything is meshed: a typo in the last set must not cost minutes.
+    const Dictionary entries = meshDict.sub("bodies");
+    const Bodies bodies = Bodies::read(entries);
+    if (bodies.entries.empty()) meshDict.fail("bodies", "'bodies' must hold at least one body");
+    const auto sets = readSets(meshDict.subOrEmpty("sets"));
+    meshDict.requireAllUsed();
+
+    MeshedBodies meshed = meshBodies(bodies, theCase, allowGeo, log);
+    makeSets(sets, meshed, log);
+    renumber(meshed.mesh);
+    return std::move(meshed.mesh);
+}
+
+} // namespace fpm

@@ -1,0 +1,90 @@
+#include "model/CaseReader.h"
+
+#include "base/Format.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpm {
+
+namespace {
+
+struct Unit {
+    const char* name;
+    double si; ///< metres, kilograms or seconds in one
+};
+constexpr std::array<Unit, 7> lengthUnits{{{"m", 1.0},
+                                           {"cm", 1e-2},
+                                           {"mm", 1e-3},
+                                           {"um", 1e-6},
+                                           {"km", 1e3},
+                                           {"inch", 0.0254},
+                                           {"foot", 0.3048}}};
+constexpr std::array<Unit, 7> massUnits{{{"kg", 1.0},
+                                         {"g", 1e-3},
+                                         {"mg", 1e-6},
+                                         {"tonne", 1e3},
+                                         {"pound", 0.45359237},
+                                         {"slug", 14.593903},
+                                         {"slinch", 175.126836}}};
+constexpr std::array<Unit, 3> timeUnits{{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}}};
+
+template <std::size_t n>
+std::vector<std::string> namesOf(const std::array<Unit, n>& units)
+{
+    std::vector<std::string> names;
+    for (const Unit& unit : units) names.push_back(unit.name);
+    return names;
+}
+
+template <std::size_t n>
+double factorOf(const std::array<Unit, n>& units, const std::string& name)
+{
+    const auto found = std::find_if(units.begin(), units.end(),
+                                    [&](const Unit& unit) { return name == unit.name; });
+    if (found == units.end()) throw Error(ExitCode::internal, "unit '" + name + "' has no factor");
+    return found->si;
+}
+
+} // namespace
+
+CaseProperties readCaseProperties(const Dictionary& dictionary)
+{
+    CaseProperties properties;
+    properties.title = dictionary.wordOr("title", "");
+    const Dictionary units = dictionary.sub("units");
+    properties.units = {units.choice("length", namesOf(lengthUnits)),
+                        units.choice("mass", namesOf(massUnits)),
+                        units.choice("time", namesOf(timeUnits))};
+    dictionary.requireAllUsed();
+    return properties;
+}
+
+double metresPerSecond(const std::array<std::string, 3>& units)
+{
+    return factorOf(lengthUnits, units[0]) / factorOf(timeUnits, units[2]);
+}
+
+double waveSpeed(const Part& part)
+{
+    const double nu = part.poissonsRatio;
+    const double modulus = part.youngsModulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    return std::sqrt(modulus / part.density);
+}
+
+void checkUnits(const std::vector<Part>& parts, const std::array<std::string, 3>& units, Log& log)
+{
+    const double toSi = metresPerSecond(units);
+    for (const Part& part : parts) {
+        if (part.kind == PartKind::rigid) continue;
+        const double speed = waveSpeed(part) * toSi;
+        if (speed >= 50 && speed <= 20000) continue;
+        log.warning(format(
+            "part '{}': its wave speed would be {} m/s, solids have 50 to 20000; are "
+            "density {} and youngsModulus {} in the units of constant/caseProperties "
+            "({} {} {})?",
+            part.name, speed, part.density, part.youngsModulus, units[0], units[1], units[2]));
+    }
+}
+
+} // namespace fpm

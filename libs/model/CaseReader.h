@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/Log.h"
+#include "dictionary/Dictionary.h"
+#include "model/Model.h"
+
+namespace fpm {
+
+/// constant/caseProperties: title and units.
+struct CaseProperties {
+    std::string title;
+    std::array<std::string, 3> units; ///< length, mass, time
+};
+CaseProperties readCaseProperties(const Dictionary& dictionary);
+
+/// Metres in one of the case's length units divided by seconds in one of its time units.
+double metresPerSecond(const std::array<std::string, 3>& units);
+
+/// Speed of compression waves, sqrt((lambda + 2 mu) / rho) [length/time].
+double waveSpeed(const Part& part);
+
+/// Warns when a part's wave speed, in m/s, is one no solid has (50 ... 20000): the usual sign of a
+/// density or modulus given in other units than the rest.
+void checkUnits(const std::vector<Part>& parts, const std::array<std::string, 3>& units, Log& log);
+
+} // namespace fpm

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "dictionary/Dictionary.h"
+#include "model/Model.h"
+
+#include <optional>
+
+namespace fpm {
+
+/// A box or cylinder of system/contactDict; a surface keeps the sides whose centre lies in it.
+struct Region {
+    enum class Kind { box, cylinder } kind = Kind::box;
+    Point first{}, second{}; ///< corners of the box, ends of the cylinder's axis
+    double radius = 0;       ///< of the cylinder
+    bool contains(const Point& point) const;
+};
+
+/// system/contactDict, surfaces, one entry.
+struct SurfaceEntry {
+    std::string name;
+    std::string part, set;       ///< one of them is empty
+    std::optional<Point> facing; ///< unit vector
+    std::optional<Region> within;
+};
+
+/// system/contactDict, pairs, one entry.
+struct PairEntry {
+    std::string name;
+    std::string contactor, target; ///< a surface, a part or a side set
+    double friction = 0, normalScale = 1, tangentialScale = 0.1;
+    ContactSearch search = ContactSearch::faces;
+};
+
+struct ContactEntries {
+    std::vector<SurfaceEntry> surfaces;
+    std::vector<PairEntry> pairs;
+};
+ContactEntries readContactEntries(const Dictionary& contactDict);
+
+/// What decides which nodes and sides the pairs have, apart from the mesh: the same text for the
+/// same surfaces, whatever the layout of the dictionary, its friction and its penalty scales.
+std::string surfaceText(const ContactEntries& entries);
+
+} // namespace fpm

@@ -1,0 +1,147 @@
+#include "model/ContactReport.h"
+
+#include "base/Format.h"
+#include "mesh/Quality.h"
+#include "mesh/Surface.h"
+#include "model/FaceTree.h"
+#include "model/PointAlgebra.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace fpm {
+
+namespace {
+
+/// Sum of the area-weighted normals of a node's own sides, per contactor node.
+std::vector<Point> nodeNormals(const Mesh& mesh, const ContactSurfaces& surfaces)
+{
+    const std::vector<Index>& nodes = surfaces.contactorNodes;
+    std::vector<Point> normals(nodes.size(), Point{0, 0, 0});
+    for (const ElementSide& side : surfaces.contactorSides) {
+        const Point direction = normal(mesh, side);
+        const double weight = area(mesh, side);
+        for (const Index node : mesh.sideNodes(side)) {
+            const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
+            Point& sum = normals[std::size_t(found - nodes.begin())];
+            sum = along(sum, weight, direction);
+        }
+    }
+    return normals;
+}
+
+double totalArea(const Mesh& mesh, const std::vector<ElementSide>& sides)
+{
+    double sum = 0;
+    for (const ElementSide& side : sides) sum += area(mesh, side);
+    return sum;
+}
+
+/// Height of the element over one of its sides, were it a prism.
+double thickness(const Mesh& mesh, const ElementSide& side)
+{
+    const double base = area(mesh, side);
+    return base > 0 ? volume(mesh, side.element) / base : 0;
+}
+
+template <class Value>
+std::size_t sharedCount(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+    std::vector<Value> shared;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+    return shared.size();
+}
+
+} // namespace
+
+ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces)
+{
+    // A node lies over or under a face, not beside its border, when its offset is along the normal.
+    constexpr double overTheFace = 0.866;
+    ContactFit fit;
+    fit.contactorArea = totalArea(mesh, surfaces.contactorSides);
+    fit.targetArea = totalArea(mesh, surfaces.targetSides);
+    fit.targetSize = std::sqrt(fit.targetArea / double(surfaces.targetSides.size()));
+    fit.smallestGap = std::numeric_limits<double>::infinity();
+    const double touching = 1e-6 * fit.targetSize;
+
+    const FaceTree tree(mesh, surfaces.targetSides);
+    const std::vector<Point> outward = nodeNormals(mesh, surfaces);
+    std::vector<bool> pointsAway(surfaces.targetSides.size(), false);
+    double sum = 0;
+    for (std::size_t i = 0; i < surfaces.contactorNodes.size(); ++i) {
+        const Index node = surfaces.contactorNodes[i];
+        const FaceTree::Hit hit = tree.nearest(mesh.points[std::size_t(node)], outward[i]);
+        const ElementSide& side = surfaces.targetSides[hit.face];
+        if (hit.height < -touching && -hit.height >= overTheFace * hit.distance) {
+            if (-hit.height > thickness(mesh, side)) {
+                pointsAway[hit.face] = true;
+                continue;
+            }
+            ++fit.overlaps;
+            if (-hit.height > fit.deepest) {
+                fit.deepest = -hit.height;
+                fit.deepestNode = node;
+            }
+        } else if (hit.height >= -touching && dot(outward[i], normal(mesh, side)) < 0) {
+            ++fit.facingNodes;
+            const double gap = hit.distance <= touching ? 0.0 : hit.distance;
+            fit.smallestGap = std::min(fit.smallestGap, gap);
+            sum += gap;
+        }
+    }
+    if (fit.facingNodes > 0)
+        fit.meanGap = sum / double(fit.facingNodes);
+    else
+        fit.smallestGap = 0;
+    fit.facesPointingAway = std::size_t(std::count(pointsAway.begin(), pointsAway.end(), true));
+    return fit;
+}
+
+void reportContact(const Mesh& mesh,
+                   const ContactSurfaces& surfaces,
+                   const ContactFit& fit,
+                   Log& log)
+{
+    log.line(format("pair {}: {} contactor nodes (area {}), {} target faces (area {})",
+                    surfaces.pair, surfaces.contactorNodes.size(), fit.contactorArea,
+                    surfaces.targetSides.size(), fit.targetArea));
+    if (fit.facingNodes > 0)
+        log.line(format("    initial gap: smallest {}, mean {} over {} nodes that face the target",
+                        fit.smallestGap, fit.meanGap, fit.facingNodes));
+    else if (fit.overlaps == 0 && fit.facesPointingAway == 0)
+        log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
+                           "the surfaces that meet?",
+                           surfaces.pair));
+    if (fit.overlaps > 0)
+        log.warning(format("pair {}: {} contactor nodes lie inside the target, deepest {} ({} of a "
+                           "face's width) at node {} {}; they are pushed out at the first step",
+                           surfaces.pair, fit.overlaps, fit.deepest, fit.deepest / fit.targetSize,
+                           fit.deepestNode, pointText(mesh.points[std::size_t(fit.deepestNode)])));
+    if (fit.facesPointingAway > 0)
+        log.warning(
+            format("pair {}: {} target faces point away from the contactor nodes nearest to "
+                   "them, which lie deeper behind than one element; narrow the target with "
+                   "'facing', or check the positions of the bodies",
+                   surfaces.pair, fit.facesPointingAway));
+}
+
+void reportSharing(const std::vector<ContactSurfaces>& pairs, Log& log)
+{
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+            const ContactSurfaces &a = pairs[i], &b = pairs[j];
+            const std::size_t nodes = sharedCount(a.contactorNodes, b.contactorNodes);
+            if (nodes == 0) continue;
+            const std::size_t sides = sharedCount(a.targetSides, b.targetSides);
+            if (sides > 0)
+                log.warning(format("pairs {} and {} share {} contactor nodes and {} target faces: "
+                                   "the penalty acts twice there",
+                                   a.pair, b.pair, nodes, sides));
+            else
+                log.line(format("pairs {} and {} share {} contactor nodes (with different targets)",
+                                a.pair, b.pair, nodes));
+        }
+}
+
+} // namespace fpm

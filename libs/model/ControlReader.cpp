@@ -1,0 +1,95 @@
+#include "model/ControlReader.h"
+
+#include "base/Format.h"
+#include "dictionary/Suggestion.h"
+#include "model/Names.h"
+
+namespace fpm {
+
+namespace {
+
+/// Times run from 0 to endTime; the words that say so are checked, not obeyed.
+void readStart(const Dictionary& dictionary)
+{
+    dictionary.wordOr("application", "fpmExplicit");
+    if (dictionary.wordOr("startFrom", "startTime") != "startTime")
+        dictionary.fail("startFrom", "every run starts at time 0", "write: startFrom startTime;");
+    if (dictionary.numberOr("startTime", 0.0) != 0)
+        dictionary.fail("startTime", "every run starts at time 0", "write: startTime 0;");
+    dictionary.choiceOr("stopAt", "endTime", {"endTime"});
+    dictionary.choiceOr("writeControl", "runTime", {"runTime"});
+    if (dictionary.integerOr("purgeWrite", 0, 0, 1000000) != 0)
+        dictionary.fail("purgeWrite", "every frame is kept", "write: purgeWrite 0;");
+}
+
+/// OpenFOAM's keys about the look of files, and a starting deltaT, mean nothing to this solver.
+void readWithoutEffect(const Dictionary& dictionary, Log& log)
+{
+    std::vector<std::string> given;
+    for (const char* key : {"writeFormat", "writePrecision", "writeCompression", "timeFormat",
+                            "timePrecision", "runTimeModifiable", "deltaT"})
+        if (dictionary.has(key)) given.push_back(key);
+    dictionary.choiceOr("writeFormat", "binary", {"ascii", "binary"});
+    dictionary.integerOr("writePrecision", 16, 1, 64);
+    dictionary.switchOr("writeCompression", false);
+    dictionary.choiceOr("timeFormat", "general", {"general", "fixed", "scientific"});
+    dictionary.integerOr("timePrecision", 8, 1, 64);
+    dictionary.switchOr("runTimeModifiable", false);
+    dictionary.numberOr("deltaT", 1.0, positive());
+    if (!given.empty())
+        log.line(
+            format("{}: accepted without effect: {} (results are HDF5; the time step follows from "
+                   "stability unless timeStep.fixed prescribes it)",
+                   dictionary.name(), listed(given)));
+}
+
+void readTimeStep(const Dictionary& timeStep, Control& control)
+{
+    control.timeStepSafety = timeStep.numberOr("safety", 0.9, {0, 1, true, false});
+    control.contactStepLimit = timeStep.numberOr("contactLimit", 0.5, {0, 2, true, false});
+    control.fixedTimeStep = timeStep.numberOr("fixed", 0.0, nonNegative());
+}
+
+void readEnergyBalance(const Dictionary& balance, Control& control)
+{
+    control.energyWarning = balance.numberOr("warning", 0.01, positive());
+    control.energyStop = balance.numberOr("stop", 0.05, positive());
+    if (control.energyStop < control.energyWarning)
+        balance.fail(balance.has("stop") ? "stop" : "warning",
+                     "the run would stop before it warns: stop " + toText(control.energyStop, 6)
+                         + " is less than warning " + toText(control.energyWarning, 6));
+}
+
+void readMachine(const Dictionary& dictionary, Control& control)
+{
+    control.backend = dictionary.choiceOr("backend", "openmp", {"serial", "openmp", "cuda"});
+    control.threads = int(dictionary.integerOr("threads", 0, 0, 4096));
+    control.simd = dictionary.choiceOr("simd", "auto", {"auto", "scalar", "avx2", "avx512"});
+    const std::string precision =
+        dictionary.choiceOr("precision", "double", {"double", "mixed", "single"});
+    control.precision = precision == "double"  ? Precision::double_
+                        : precision == "mixed" ? Precision::mixed
+                                               : Precision::single;
+}
+
+} // namespace
+
+Control readControl(const Dictionary& dictionary, Log& log)
+{
+    Control control;
+    readStart(dictionary);
+    readWithoutEffect(dictionary, log);
+    control.endTime = dictionary.number("endTime", positive());
+    control.writeInterval = dictionary.numberOr("writeInterval", control.endTime / 10, positive());
+    control.historyInterval =
+        dictionary.numberOr("historyInterval", control.endTime / 1000, nonNegative());
+    readTimeStep(dictionary.subOrEmpty("timeStep"), control);
+    control.massDamping = dictionary.numberOr("massDamping", 0.0, nonNegative());
+    readEnergyBalance(dictionary.subOrEmpty("energyBalance"), control);
+    readMachine(dictionary, control);
+    control.midStepStrain =
+        dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
+    return control;
+}
+
+} // namespace fpm

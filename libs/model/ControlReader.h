@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/Log.h"
+#include "dictionary/Dictionary.h"
+#include "model/Model.h"
+
+namespace fpm {
+
+/// system/controlDict without `functions`. Keys that OpenFOAM knows and that have no effect here
+/// are accepted and named in the log; values that would mean something else are refused.
+Control readControl(const Dictionary& dictionary, Log& log);
+
+/// system/controlDict, functions { ... }: a point's node and a reaction's nodes are resolved.
+std::vector<History> readHistories(const Dictionary& dictionary,
+                                   const Mesh& mesh,
+                                   const std::vector<BoundaryCondition>& conditions,
+                                   Log& log);
+
+} // namespace fpm

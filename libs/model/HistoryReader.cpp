@@ -1,0 +1,131 @@
+#include "base/Format.h"
+#include "model/BoundaryReader.h"
+#include "model/ControlReader.h"
+#include "model/Names.h"
+#include "model/PointAlgebra.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace fpm {
+
+namespace {
+
+Index nearestNode(const Mesh& mesh, const std::vector<Index>& nodes, const Point& position)
+{
+    Index nearest = nodes.front();
+    double best = std::numeric_limits<double>::infinity();
+    for (const Index node : nodes) {
+        const Point offset = difference(mesh.points[std::size_t(node)], position);
+        if (const double square = dot(offset, offset); square < best) {
+            best = square;
+            nearest = node;
+        }
+    }
+    return nearest;
+}
+
+/// The longest edge that meets the node.
+double elementSizeAt(const Mesh& mesh, Index part, Index node)
+{
+    constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                  {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+    const MeshPart& run = mesh.parts[std::size_t(part)];
+    double longest = 0;
+    for (Index element = run.firstElement; element < run.firstElement + run.elementCount;
+         ++element) {
+        const Hexahedron& corners = mesh.hexahedra[std::size_t(element)];
+        if (std::find(corners.begin(), corners.end(), node) == corners.end()) continue;
+        for (const auto& edge : edges) {
+            const Index a = corners[std::size_t(edge[0])], b = corners[std::size_t(edge[1])];
+            if (a == node || b == node)
+                longest = std::max(longest, length(difference(mesh.points[std::size_t(a)],
+                                                              mesh.points[std::size_t(b)])));
+        }
+    }
+    return longest;
+}
+
+void readPoint(const Dictionary& entry, const Mesh& mesh, History& history, Log& log)
+{
+    const std::vector<Index> nodes = nodesOfNamedPart(entry, mesh);
+    const Point position = entry.vector("position");
+    history.node = nearestNode(mesh, nodes, position);
+    const Point& chosen = mesh.points[std::size_t(history.node)];
+    const double distance = length(difference(chosen, position));
+    const double size = elementSizeAt(mesh, mesh.findPart(entry.word("part")), history.node);
+    log.line(format("history {}: node {} at {}, {} from the position asked for", history.name,
+                    history.node, pointText(chosen), distance));
+    if (distance > size)
+        log.warning(
+            format("history {}: the nearest node of part '{}' lies {} from {}, more than an "
+                   "element ({})",
+                   history.name, entry.word("part"), distance, pointText(position), size));
+
+    if (!entry.has("fields")) return;
+    const std::vector<std::string> valid{"displacement", "velocity", "acceleration"};
+    history.fields = entry.words("fields");
+    std::set<std::string> seen;
+    for (const std::string& field : history.fields) {
+        if (std::find(valid.begin(), valid.end(), field) == valid.end())
+            entry.fail("fields", "unknown field '" + field + "' of a point",
+                       nameAdvice(field, valid, "valid"));
+        if (!seen.insert(field).second)
+            entry.fail("fields", "field '" + field + "' is given twice");
+    }
+    if (history.fields.empty()) entry.fail("fields", "no field is given");
+}
+
+void readReaction(const Dictionary& entry,
+                  const std::vector<BoundaryCondition>& conditions,
+                  History& history)
+{
+    const std::string name = entry.word("condition");
+    std::vector<std::string> names;
+    for (const BoundaryCondition& condition : conditions) {
+        names.push_back(condition.name);
+        if (condition.name != name) continue;
+        if (condition.kind == BoundaryCondition::Kind::force)
+            entry.fail("condition",
+                       "'" + name + "' is a force; only what is held or driven has a reaction");
+        history.nodes = condition.nodes;
+        return;
+    }
+    entry.fail("condition", "no boundary condition '" + name + "'",
+               nameAdvice(name, names, "conditions in constant/boundaryConditions"));
+}
+
+} // namespace
+
+std::vector<History> readHistories(const Dictionary& dictionary,
+                                   const Mesh& mesh,
+                                   const std::vector<BoundaryCondition>& conditions,
+                                   Log& log)
+{
+    std::vector<History> histories;
+    const Dictionary functions = dictionary.subOrEmpty("functions");
+    for (const std::string& name : functions.keys()) {
+        const Dictionary entry = functions.sub(name);
+        if (!isFileName(name))
+            functions.fail(name,
+                           "'" + name + "' cannot be the name of a folder under postProcessing",
+                           "use letters, digits and _ . + -, at most 64, no leading dot");
+        History history;
+        history.name = name;
+        const std::string type =
+            entry.choice("type", {"energies", "contactForces", "point", "reaction"});
+        if (type == "contactForces") history.kind = History::Kind::contactForces;
+        if (type == "point") {
+            history.kind = History::Kind::point;
+            readPoint(entry, mesh, history, log);
+        } else if (type == "reaction") {
+            history.kind = History::Kind::reaction;
+            readReaction(entry, conditions, history);
+        }
+        histories.push_back(history);
+    }
+    return histories;
+}
+
+} // namespace fpm

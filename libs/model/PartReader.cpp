@@ -1,0 +1,199 @@
+#include "model/PartReader.h"
+
+#include "base/Format.h"
+#include "dictionary/Suggestion.h"
+#include "model/Names.h"
+
+#include <algorithm>
+
+namespace fpm {
+
+namespace {
+
+/// A part's own entries, then those of the part it is `like`, and so on.
+using Lineage = std::vector<Dictionary>;
+
+Lineage lineageOf(const Dictionary& parts, const std::string& name)
+{
+    Lineage lineage;
+    std::vector<std::string> names;
+    for (std::string next = name;;) {
+        lineage.push_back(parts.sub(next));
+        names.push_back(next);
+        const Dictionary& entry = lineage.back();
+        if (!entry.has("like")) return lineage;
+        next = entry.word("like");
+        if (!parts.has(next))
+            entry.fail("like", "no part '" + next + "' to be like",
+                       nameAdvice(next, parts.keys(), "entries of parts"));
+        if (std::find(names.begin(), names.end(), next) != names.end())
+            entry.fail("like", "'like' goes round in a circle: " + listed(names) + ", " + next,
+                       "give the entries in one of these parts");
+    }
+}
+
+/// The first of the lineage that has `key`; the part itself when none has.
+const Dictionary& holder(const Lineage& lineage, std::string_view key)
+{
+    for (const Dictionary& entry : lineage)
+        if (entry.has(key)) return entry;
+    return lineage.front();
+}
+
+double number(const Lineage& lineage, std::string_view key, const Range& range)
+{
+    return holder(lineage, key).number(key, range);
+}
+
+PartKind readKind(const Lineage& lineage)
+{
+    const std::string word =
+        holder(lineage, "model").choice("model", {"elastic", "elastoplastic", "rigid"});
+    return word == "elastic"         ? PartKind::elastic
+           : word == "elastoplastic" ? PartKind::elastoplastic
+                                     : PartKind::rigid;
+}
+
+std::vector<Hardening> readTable(const Dictionary& entry)
+{
+    for (const char* other : {"yieldStress", "plasticModulus"})
+        if (entry.has(other))
+            entry.fail(other, format("'{}' and 'hardening' both describe the yield stress", other),
+                       "keep one of them");
+    if (entry.leadingWord("hardening") != "table")
+        entry.fail("hardening", "unknown hardening '" + entry.leadingWord("hardening") + "'",
+                   "write: hardening table ((0 285) (0.1 375)), rows of equivalent plastic strain "
+                   "and yield stress");
+
+    std::vector<Hardening> table;
+    for (const auto& row : entry.tailRows("hardening", 2)) {
+        const bool first = table.empty();
+        if (first ? row[0] != 0 : row[0] <= table.back().equivalentPlasticStrain)
+            entry.fail("hardening", first ? "the first row must be at plastic strain 0"
+                                          : "plastic strains must ascend: " + toText(row[0], 6)
+                                                + " follows "
+                                                + toText(table.back().equivalentPlasticStrain, 6));
+        if (row[1] <= 0 || (!first && row[1] < table.back().yieldStress))
+            entry.fail("hardening",
+                       "yield stresses must be > 0 and must not fall: " + toText(row[1], 6),
+                       "softening gives results that depend on the mesh and is refused");
+        table.push_back({row[0], row[1]});
+    }
+    if (table.empty()) entry.fail("hardening", "the table has no rows");
+    return table;
+}
+
+/// The nearest of the lineage that speaks of hardening decides between table and straight line.
+std::vector<Hardening> readHardening(const Lineage& lineage)
+{
+    for (const Dictionary& entry : lineage) {
+        if (entry.has("hardening")) return readTable(entry);
+        if (entry.has("yieldStress") || entry.has("plasticModulus")) break;
+    }
+    const double yieldStress = number(lineage, "yieldStress", positive());
+    const double modulus =
+        holder(lineage, "plasticModulus").numberOr("plasticModulus", 0.0, nonNegative());
+    return {{0.0, yieldStress}, {1.0, yieldStress + modulus}};
+}
+
+void readHourglass(const Lineage& lineage, Part& part)
+{
+    const Dictionary entry = holder(lineage, "hourglass").subOrEmpty("hourglass");
+    const std::string form =
+        entry.choiceOr("form", "stiffness", {"stiffness", "viscous", "physical"});
+    // Beyond `largest` the hourglass modes, not the element, would limit the time step.
+    double preset = 0.05, largest = 0.2;
+    if (form == "viscous") {
+        part.hourglass = HourglassForm::viscous;
+        preset = 0.1;
+    } else if (form == "physical") {
+        part.hourglass = HourglassForm::physical;
+        preset = largest = 1.0;
+    }
+    part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
+    part.hourglassPlastic =
+        entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic"
+            ? HourglassPlastic::elastic
+            : HourglassPlastic::coupled;
+}
+
+/// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
+void refusePlasticity(const Dictionary& own)
+{
+    for (const char* key : {"yieldStress", "plasticModulus", "hardening"})
+        if (own.has(key))
+            own.fail(key, format("'{}' has no meaning for model rigid", key),
+                     "use model elastoplastic, or remove it");
+}
+
+Part readPart(const Dictionary& parts, const std::string& name)
+{
+    const Lineage lineage = lineageOf(parts, name);
+    Part part;
+    part.name = name;
+    part.kind = readKind(lineage);
+    if (part.kind == PartKind::rigid) {
+        refusePlasticity(lineage.front());
+        part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
+        part.youngsModulus =
+            holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
+        part.poissonsRatio =
+            holder(lineage, "poissonsRatio").numberOr("poissonsRatio", 0.0, {-1, 0.5, true, true});
+        return part;
+    }
+    part.density = number(lineage, "density", positive());
+    part.youngsModulus = number(lineage, "youngsModulus", positive());
+    part.poissonsRatio = number(lineage, "poissonsRatio", {-1, 0.5, true, true});
+    if (part.kind == PartKind::elastoplastic)
+        part.hardening = readHardening(lineage);
+    else if (lineage.front().has("yieldStress") || lineage.front().has("hardening"))
+        readHardening(lineage); // checked, not used: elastic and plastic differ by one word
+    readHourglass(lineage, part);
+    const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");
+    part.linearBulkViscosity = viscosity.numberOr("linear", 0.06, between(0, 1));
+    part.quadraticBulkViscosity = viscosity.numberOr("quadratic", 1.2, between(0, 10));
+    return part;
+}
+
+std::vector<std::string> partNames(const Mesh& mesh)
+{
+    std::vector<std::string> names;
+    for (const MeshPart& part : mesh.parts) names.push_back(part.name);
+    return names;
+}
+
+} // namespace
+
+std::vector<Part> readParts(const Dictionary& dictionary, const Mesh& mesh)
+{
+    const Dictionary entries = dictionary.sub("parts");
+    const std::vector<std::string> names = partNames(mesh);
+    for (const std::string& name : entries.keys())
+        if (mesh.findPart(name) < 0)
+            entries.fail(name, "the mesh has no part '" + name + "'",
+                         nameAdvice(name, names, "parts of the mesh"));
+
+    std::vector<Part> parts;
+    for (const std::string& name : names) {
+        if (!entries.has(name))
+            dictionary.fail("parts", "part '" + name + "' of the mesh has no entry",
+                            "add its properties, or 'like' another part: " + name + " { like "
+                                + (entries.keys().empty() ? "<part>" : entries.keys().front())
+                                + "; }");
+        parts.push_back(readPart(entries, name));
+    }
+    dictionary.requireAllUsed();
+    return parts;
+}
+
+std::vector<bool> readRigidParts(const Dictionary& dictionary, const Mesh& mesh)
+{
+    const Dictionary entries = dictionary.sub("parts");
+    std::vector<bool> rigid;
+    for (const MeshPart& part : mesh.parts)
+        rigid.push_back(entries.has(part.name)
+                        && readKind(lineageOf(entries, part.name)) == PartKind::rigid);
+    return rigid;
+}
+
+} // namespace fpm

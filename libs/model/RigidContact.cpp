@@ -1,0 +1,32 @@
+#include "model/RigidContact.h"
+
+namespace fpm {
+
+namespace {
+
+Index rigidPartAmong(const Mesh& mesh,
+                     const std::vector<ElementSide>& sides,
+                     const std::vector<bool>& rigid)
+{
+    for (const ElementSide& side : sides)
+        if (const Index part = mesh.partOf(side.element); rigid[std::size_t(part)]) return part;
+    return -1;
+}
+
+} // namespace
+
+void refuseRigidPair(const Mesh& mesh,
+                     const ContactSurfaces& surfaces,
+                     const std::vector<bool>& rigid,
+                     const Dictionary& pair)
+{
+    const Index contactor = rigidPartAmong(mesh, surfaces.contactorSides, rigid);
+    const Index target = rigidPartAmong(mesh, surfaces.targetSides, rigid);
+    if (contactor < 0 || target < 0) return;
+    pair.fail("target",
+              "parts '" + mesh.parts[std::size_t(contactor)].name + "' and '"
+                  + mesh.parts[std::size_t(target)].name + "' are both rigid: neither can give way",
+              "remove the pair, or make one of the parts deformable in constant/partProperties");
+}
+
+} // namespace fpm

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "dictionary/Dictionary.h"
+#include "mesh/Mesh.h"
+
+namespace fpm {
+
+/// Throws InputError when both sides of a pair are on rigid parts: neither could give way.
+/// `rigid` says for each part of the mesh whether it is; `pair` lends its place.
+void refuseRigidPair(const Mesh& mesh,
+                     const ContactSurfaces& surfaces,
+                     const std::vector<bool>& rigid,
+                     const Dictionary& pair);
+
+} // namespace fpm

@@ -1,0 +1,121 @@
+#include "model/readModel.h"
+
+#include "base/Format.h"
+#include "mesh/MeshFile.h"
+#include "model/BoundaryReader.h"
+#include "model/CaseReader.h"
+#include "model/ContactReader.h"
+#include "model/ContactSetup.h"
+#include "model/ControlReader.h"
+#include "model/MotionCheck.h"
+#include "model/PartReader.h"
+#include "model/RigidContact.h"
+
+#include <algorithm>
+
+namespace fpm {
+
+namespace {
+
+/// A case without boundary or initial conditions is complete: bodies start at rest and are free.
+Dictionary dictionaryOrEmpty(const Case& theCase, const std::string& relative)
+{
+    return theCase.hasFile(relative) ? theCase.dictionary(relative)
+                                     : Dictionary::parse("", relative);
+}
+
+/// Surfaces from the mesh file, numbers from contactDict.
+std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& model, Log& log)
+{
+    std::vector<ContactPair> pairs;
+    if (!theCase.hasFile("system/contactDict")) {
+        if (!model.mesh.contact.empty())
+            log.line("no system/contactDict: the contact surfaces of the mesh are not used");
+        return pairs;
+    }
+    if (contactIsOutdated(model.mesh, theCase))
+        throw Error(ExitCode::mesh,
+                    "the contact surfaces in constant/mesh.vtkhdf were not made from this "
+                    "system/contactDict and this mesh",
+                    "run fpmSetContact");
+
+    std::vector<bool> rigid;
+    for (const Part& part : model.parts) rigid.push_back(part.kind == PartKind::rigid);
+    const Dictionary contactDict = theCase.dictionary("system/contactDict");
+    for (const PairEntry& entry : readContactEntries(contactDict).pairs) {
+        const auto surfaces =
+            std::find_if(model.mesh.contact.begin(), model.mesh.contact.end(),
+                         [&](const ContactSurfaces& one) { return one.pair == entry.name; });
+        if (surfaces == model.mesh.contact.end())
+            throw Error(ExitCode::mesh,
+                        "constant/mesh.vtkhdf has no contact surfaces for pair '" + entry.name
+                            + "'",
+                        "run fpmSetContact");
+        refuseRigidPair(model.mesh, *surfaces, rigid, contactDict.sub("pairs").sub(entry.name));
+        pairs.push_back({entry.name, surfaces->contactorNodes, surfaces->targetSides,
+                         entry.friction, entry.normalScale, entry.tangentialScale, entry.search});
+    }
+    return pairs;
+}
+
+const char* kindName(PartKind kind)
+{
+    return kind == PartKind::elastic         ? "elastic"
+           : kind == PartKind::elastoplastic ? "elastoplastic"
+                                             : "rigid";
+}
+
+void report(const Model& model, Log& log)
+{
+    if (!model.title.empty()) log.line(model.title);
+    log.line(format("{} elements, {} nodes, {} parts; units {} {} {}", model.mesh.hexahedra.size(),
+                    model.mesh.points.size(), model.parts.size(), model.units[0], model.units[1],
+                    model.units[2]));
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const Part& part = model.parts[i];
+        std::string line = format("part {}: {}, {} elements", part.name, kindName(part.kind),
+                                  model.mesh.parts[i].elementCount);
+        if (part.kind != PartKind::rigid)
+            line +=
+                format(", wave speed {} {}/{}", waveSpeed(part), model.units[0], model.units[2]);
+        log.line(line);
+    }
+    log.line(format("{} boundary conditions, {} initial velocities, {} contact pairs",
+                    model.boundaryConditions.size(), model.initialVelocities.size(),
+                    model.contactPairs.size()));
+}
+
+} // namespace
+
+Model readModel(const Case& theCase, Log& log)
+{
+    return readModel(theCase, theCase.dictionary("system/controlDict"), log);
+}
+
+Model readModel(const Case& theCase, const Dictionary& control, Log& log)
+{
+    Model model;
+    const CaseProperties properties =
+        readCaseProperties(theCase.dictionary("constant/caseProperties"));
+    model.title = properties.title;
+    model.units = properties.units;
+    model.mesh = readMesh(theCase.path("constant/mesh.vtkhdf"));
+    model.parts = readParts(theCase.dictionary("constant/partProperties"), model.mesh);
+    checkUnits(model.parts, model.units, log);
+
+    const Dictionary boundary = dictionaryOrEmpty(theCase, "constant/boundaryConditions");
+    model.boundaryConditions = readBoundaryConditions(boundary, model.mesh);
+    model.initialVelocities =
+        readInitialVelocities(dictionaryOrEmpty(theCase, "0/initialConditions"), model.mesh);
+    checkMotions(model, boundary, log);
+
+    model.control = readControl(control, log);
+    model.control.histories = readHistories(control, model.mesh, model.boundaryConditions, log);
+    control.requireAllUsed();
+
+    model.contactPairs = readContactPairs(theCase, model, log);
+    report(model, log);
+    return model;
+}
+
+} // namespace fpm

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/Types.h"
+#include "parallel/Kernel.h"
+
+namespace fpm {
+
+/// *target += value. Integer sums have no order, so the result is the same on every backend.
+FPM_KERNEL void atomicAdd64(std::int64_t* target, std::int64_t value)
+{
+#ifdef __CUDA_ARCH__
+    atomicAdd(reinterpret_cast<unsigned long long*>(target),
+              static_cast<unsigned long long>(value));
+#else
+    __atomic_fetch_add(target, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Puts `value` into *target and returns what was there.
+FPM_KERNEL Index atomicExchangeIndex(Index* target, Index value)
+{
+#ifdef __CUDA_ARCH__
+    return atomicExch(target, value);
+#else
+    return __atomic_exchange_n(target, value, __ATOMIC_RELAXED);
+#endif
+}
+
+} // namespace fpm

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "base/Types.h"
+#include "parallel/Batch.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// One thread that plays a whole GPU block: forEach is a loop, barrier nothing. Batches of a patch
+/// hold as many numbers as `Bits` of a vector register (64: one double, plain scalar code).
+template <int Bits>
+class CpuTeam
+{
+public:
+    template <class Work>
+    using Number = std::conditional_t<Bits == 64, Work, Batch<Work, Bits / int(8 * sizeof(Work))>>;
+
+    static constexpr bool oneThread = true;
+
+    explicit CpuTeam(std::byte* scratch) : scratch_(scratch) {}
+    std::byte* scratch() const { return scratch_; }
+    FPM_KERNEL void barrier() const {}
+
+    template <class Body>
+    FPM_KERNEL void forEach(Index count, const Body& body) const
+    {
+        for (Index i = 0; i < count; ++i) body(i);
+    }
+    /// body(first) for runs of Number<Work>::lanes indices; the last run may pass beyond `count`.
+    template <class Work, class Body>
+    FPM_KERNEL void forEachBatch(Index count, const Body& body) const
+    {
+        for (Index i = 0; i < count; i += NumberTraits<Number<Work>>::lanes) body(i);
+    }
+
+private:
+    std::byte* scratch_;
+};
+
+/// Loops on one or more CPU threads. Memory is ordinary memory.
+template <int Bits>
+class CpuExecutor
+{
+public:
+    using Team = CpuTeam<Bits>;
+
+    CpuExecutor(int threads, std::size_t scratchBytes) : threads_(threads)
+    {
+        for (int thread = 0; thread < threads; ++thread)
+            scratch_.emplace_back(static_cast<std::byte*>(allocate(scratchBytes + 4096)));
+    }
+
+    /// kernel(i) for i < count.
+    template <class Kernel>
+    void parallelFor(Index count, const Kernel& kernel) const
+    {
+        if (threads_ == 1 || count < smallLoop) {
+            for (Index i = 0; i < count; ++i) kernel(i);
+            return;
+        }
+#pragma omp parallel for schedule(static) num_threads(threads_)
+        for (Index i = 0; i < count; ++i) kernel(i);
+    }
+
+    /// kernel(team, block) for block < count; each thread works whole blocks with its own scratch.
+    template <class Kernel>
+    void parallelBlocks(Index count, std::size_t, const Kernel& kernel) const
+    {
+        if (threads_ == 1 || count == 1) {
+            const Team team(scratch_[0].get());
+            for (Index block = 0; block < count; ++block) kernel(team, block);
+            return;
+        }
+#pragma omp parallel num_threads(threads_)
+        {
+            const Team team(scratch_[std::size_t(omp_get_thread_num())].get());
+#pragma omp for schedule(static)
+            for (Index block = 0; block < count; ++block) kernel(team, block);
+        }
+    }
+
+    void synchronize() const {}
+
+    static void* allocate(std::size_t bytes)
+    {
+        void* memory = std::aligned_alloc(128, (bytes + 127) / 128 * 128);
+        if (!memory) throw std::bad_alloc();
+        std::memset(memory, 0, bytes);
+        return memory;
+    }
+    static void release(void* memory)
+    {
+        std::free(memory);
+    }
+    static void toDevice(void* to, const void* from, std::size_t bytes)
+    {
+        std::memcpy(to, from, bytes);
+    }
+    static void toHost(void* to, const void* from, std::size_t bytes)
+    {
+        std::memcpy(to, from, bytes);
+    }
+
+private:
+    /// Below this, waking the other threads costs more than they save.
+    static constexpr Index smallLoop = 128;
+
+    struct Free {
+        void operator()(std::byte* memory) const { release(memory); }
+    };
+    int threads_;
+    std::vector<std::unique_ptr<std::byte, Free>> scratch_;
+};
+
+} // namespace fpm

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "parallel/Kernel.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace fpm {
+
+/// What a kernel may ask of a number type T: a scalar, or a Batch of lanes with the same names.
+/// Only + - * / sqrt and fma, all correctly rounded by IEEE 754: equal bits on every backend.
+template <class T>
+struct NumberTraits {
+    using Scalar = T;
+    static constexpr int lanes = 1;
+    template <class Stored>
+    FPM_KERNEL static T load(const Stored* p)
+    {
+        return T(*p);
+    }
+    template <class Stored>
+    FPM_KERNEL static void store(Stored* p, const T& value)
+    {
+        *p = Stored(value);
+    }
+    template <class Stored>
+    FPM_KERNEL static void accumulate(Stored* p, const T& value)
+    {
+        *p += Stored(value);
+    }
+    FPM_KERNEL static void gather(const T* records, const std::uint16_t* indices, T& x, T& y, T& z)
+    {
+        const T* record = records + 4 * std::size_t(*indices);
+        x = record[0];
+        y = record[1];
+        z = record[2];
+    }
+};
+template <class T>
+using ScalarOf = typename NumberTraits<T>::Scalar;
+
+FPM_KERNEL double squareRoot(double a)
+{
+    return ::sqrt(a);
+}
+FPM_KERNEL float squareRoot(float a)
+{
+    return ::sqrtf(a);
+}
+FPM_KERNEL double fusedMultiplyAdd(double a, double b, double c)
+{
+    return ::fma(a, b, c);
+}
+FPM_KERNEL float fusedMultiplyAdd(float a, float b, float c)
+{
+    return ::fmaf(a, b, c);
+}
+
+/// condition ? a : b, lane by lane.
+FPM_KERNEL double select(bool condition, double a, double b)
+{
+    return condition ? a : b;
+}
+FPM_KERNEL float select(bool condition, float a, float b)
+{
+    return condition ? a : b;
+}
+
+template <class T>
+FPM_KERNEL T maximum(T a, T b)
+{
+    return select(a < b, b, a);
+}
+
+/// The `lanes` consecutive values at p, converted from the type they are stored in.
+template <class T, class Stored>
+FPM_KERNEL T load(const Stored* p)
+{
+    return NumberTraits<T>::load(p);
+}
+template <class T, class Stored>
+FPM_KERNEL void store(Stored* p, const T& value)
+{
+    NumberTraits<T>::store(p, value);
+}
+/// *p += value, in the type it is stored in.
+template <class T, class Stored>
+FPM_KERNEL void accumulate(Stored* p, const T& value)
+{
+    NumberTraits<T>::accumulate(p, value);
+}
+/// The vectors records[indices[lane]] of each lane; a record is x y z and one unused value.
+template <class T>
+FPM_KERNEL void gather(const ScalarOf<T>* records, const std::uint16_t* indices, T& x, T& y, T& z)
+{
+    NumberTraits<T>::gather(records, indices, x, y, z);
+}
+
+} // namespace fpm

@@ -1,0 +1,134 @@
+#include "probe/Png.h"
+
+#include "probe/Deflate.h"
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+namespace fpm {
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+void putNumber(Bytes& bytes, std::uint32_t number)
+{
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(std::uint8_t(number >> shift));
+}
+
+constexpr std::array<std::uint32_t, 256> makeCrcTable()
+{
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        std::uint32_t value = byte;
+        for (int bit = 0; bit < 8; ++bit)
+            value = value & 1 ? 0xEDB88320u ^ (value >> 1) : value >> 1;
+        table[byte] = value;
+    }
+    return table;
+}
+constexpr auto crcTable = makeCrcTable();
+
+void putChunk(Bytes& file, std::string_view type, std::span<const std::uint8_t> content)
+{
+    putNumber(file, std::uint32_t(content.size()));
+    const std::size_t begin = file.size();
+    file.insert(file.end(), type.begin(), type.end());
+    file.insert(file.end(), content.begin(), content.end());
+    std::uint32_t crc = 0xFFFFFFFFu;
+    for (std::size_t i = begin; i < file.size(); ++i)
+        crc = crcTable[(crc ^ file[i]) & 255] ^ (crc >> 8);
+    putNumber(file, ~crc);
+}
+
+int paeth(int left, int above, int corner)
+{
+    const int guess = left + above - corner;
+    const int l = std::abs(guess - left), a = std::abs(guess - above), c = std::abs(guess - corner);
+    return l <= a && l <= c ? left : a <= c ? above : corner;
+}
+
+/// What row filter 0..4 predicts for a byte from its three neighbours.
+int prediction(int filter, int left, int above, int corner)
+{
+    switch (filter) {
+    case 1:
+        return left;
+    case 2:
+        return above;
+    case 3:
+        return (left + above) / 2;
+    case 4:
+        return paeth(left, above, corner);
+    default:
+        return 0;
+    }
+}
+
+/// Appends the row under the filter with the smallest sum of absolute differences.
+void putRow(Bytes& out, std::span<const std::uint8_t> row, std::span<const std::uint8_t> above)
+{
+    constexpr std::size_t pixel = 3;
+    Bytes best, trial(row.size());
+    long bestCost = 0;
+    int bestFilter = 0;
+    for (int filter = 0; filter < 5; ++filter) {
+        long cost = 0;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const int left = i < pixel ? 0 : row[i - pixel], up = above[i];
+            const int corner = i < pixel ? 0 : above[i - pixel];
+            trial[i] = std::uint8_t(row[i] - prediction(filter, left, up, corner));
+            cost += std::abs(int(std::int8_t(trial[i])));
+        }
+        if (filter == 0 || cost < bestCost) best = trial, bestCost = cost, bestFilter = filter;
+    }
+    out.push_back(std::uint8_t(bestFilter));
+    out.insert(out.end(), best.begin(), best.end());
+}
+
+} // namespace
+
+std::vector<std::uint8_t> encodePng(const Image& image)
+{
+    Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    Bytes header;
+    putNumber(header, std::uint32_t(image.width));
+    putNumber(header, std::uint32_t(image.height));
+    header.insert(header.end(), {8, 2, 0, 0, 0}); // 8 bits, RGB, deflate, filters, not interlaced
+    putChunk(file, "IHDR", header);
+
+    const std::size_t rowBytes = 3 * std::size_t(image.width);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+    const Bytes blank(rowBytes, 0);
+    Bytes filtered;
+    filtered.reserve((rowBytes + 1) * std::size_t(image.height));
+    for (std::size_t row = 0; row < std::size_t(image.height); ++row) {
+        const std::uint8_t* start = bytes + row * rowBytes;
+        putRow(filtered, {start, rowBytes}, {row == 0 ? blank.data() : start - rowBytes, rowBytes});
+    }
+    putChunk(file, "IDAT", zlibCompress(filtered));
+    putChunk(file, "IEND", {});
+    return file;
+}
+
+std::string base64(std::span<const std::uint8_t> bytes)
+{
+    static constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = bytes.size() - i;
+        const std::uint32_t triple = std::uint32_t(bytes[i]) << 16
+                                     | (left > 1 ? std::uint32_t(bytes[i + 1]) << 8 : 0)
+                                     | (left > 2 ? bytes[i + 2] : 0u);
+        text += digits[triple >> 18];
+        text += digits[triple >> 12 & 63];
+        text += left > 1 ? digits[triple >> 6 & 63] : '=';
+        text += left > 2 ? digits[triple & 63] : '=';
+    }
+    return text;
+}
+
+} // namespace fpm

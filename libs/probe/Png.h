@@ -1,0 +1,23 @@
+#pragma once
+
+#include "probe/ColourMap.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// Pixels row by row from the top.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<Colour> pixels;
+};
+
+/// A PNG file (ISO/IEC 15948): 8-bit RGB, best of the five row filters, own deflate.
+std::vector<std::uint8_t> encodePng(const Image& image);
+/// RFC 4648, for data URIs.
+std::string base64(std::span<const std::uint8_t> bytes);
+
+} // namespace fpm

@@ -1,0 +1,241 @@
+#pragma once
+
+#include "base/Error.h"
+#include "kernels/contact/ContactForce.h"
+#include "kernels/contact/Travel.h"
+#include "kernels/element/ElementPass.h"
+#include "kernels/particle/ClockPass.h"
+#include "solver/DeviceState.h"
+#include "solver/Solver.h"
+#include "solver/checksum.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace fpm {
+
+/// The paper's step, in its order: element solver, contact solver, particle solver.
+template <class Precision, class Executor>
+class ExplicitSolver final : public Solver
+{
+public:
+    ExplicitSolver(const Model& model, Executor executor, std::string description, bool audit);
+
+    void start() override;
+    void advance(double time, std::int64_t maxSteps) override;
+    StepClock clock() const override { return state_.clock.toHost()[0]; }
+    Energies energies() override;
+    NodalWorks nodalWorks() override;
+    PairForce pairForce(std::size_t pair) override;
+    NodeValues nodeValues(const std::vector<Index>& nodes) override;
+    ElementValues elementValues() override;
+    std::uint64_t stateChecksum() override;
+    const StepTimes& times() const override { return times_; }
+    std::size_t deviceBytes() const override { return state_.bytes(); }
+    std::string description() const override { return description_; }
+    const SolverData& data() const override { return data_; }
+
+private:
+    using Work = typename Precision::Work;
+    using Seconds = std::chrono::duration<double>;
+    static constexpr std::int64_t batch = 10; ///< steps between looks of the host
+
+    void computeForces();
+    void integrate();
+    void elementPasses();
+    template <class Material, class Hourglass>
+    void elementPass(std::size_t group);
+    void contactPasses();
+    void searchContact();
+    void searchPair(std::size_t pair);
+    std::int64_t searchFor(const StepClock& now, std::int64_t steps);
+    NodePass<Precision> nodePass() const;
+    PairView<Precision> pairView(std::size_t pair);
+    std::array<double, 2> kineticEnergy();
+    Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
+    std::array<double, nodeWorks> works() const;
+    template <class Body>
+    void timed(double& seconds, const Body& body);
+
+    SolverData data_;
+    double massDamping_;
+    bool midStepStrain_;
+    Executor executor_;
+    std::string description_;
+    DeviceState<Precision, Executor> state_;
+    StepTimes times_;
+    StepRules rules_;
+    bool ledger_, searchesEveryStep_ = false;
+    double startEnergy_ = 0;
+    std::size_t elementScratch_;
+};
+
+template <class Precision, class Executor>
+ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
+                                                    Executor executor,
+                                                    std::string description,
+                                                    bool audit)
+    : data_(makeSolverData(model)),
+      massDamping_(model.control.massDamping),
+      midStepStrain_(model.control.midStepStrain),
+
+      executor_(std::move(executor)),
+      description_(std::move(description)),
+      state_(data_, model.mesh.points),
+      elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
+{
+    ledger_ = audit || !data_.conditions.empty() || massDamping_ > 0;
+    rules_.safety = model.control.timeStepSafety;
+    rules_.contactLimit = model.control.contactStepLimit;
+    rules_.fixedStep = model.control.fixedTimeStep;
+    for (const PairData& pair : data_.pairs)
+        searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
+}
+
+template <class Precision, class Executor>
+template <class Body>
+void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& body)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    body();
+    seconds += Seconds(std::chrono::steady_clock::now() - begin).count();
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::start()
+{
+    if (!data_.pairs.empty()) searchContact();
+    computeForces();
+    const Energies first = energies();
+    startEnergy_ = first.total - first.external;
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxSteps)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    StepClock now = clock();
+    if (now.failed || now.time >= time) return;
+    now.stop = time;
+    now.running = 1;
+    state_.clock.fromHost({now});
+    const std::int64_t last = now.steps + maxSteps;
+    while (now.running && !now.failed && now.time < time && now.steps < last) {
+        // The size of the first step is not known before it is made.
+        std::int64_t steps =
+            std::min(searchesEveryStep_ || now.step <= 0 ? 1 : batch, last - now.steps);
+        if (!data_.pairs.empty()) steps = searchFor(now, steps);
+        for (std::int64_t step = 0; step < steps; ++step) {
+            integrate();
+            computeForces();
+        }
+        executor_.synchronize();
+        now = clock();
+    }
+    times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::computeForces()
+{
+    timed(times_.element, [&] { elementPasses(); });
+    if (!data_.pairs.empty()) timed(times_.contact, [&] { contactPasses(); });
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::integrate()
+{
+    timed(times_.node, [&] {
+        const ClockPass clockPass{state_.patchStep.data(),
+                                  Index(state_.patchStep.size()),
+                                  state_.contactLimit.data(),
+                                  Index(state_.contactLimit.size()),
+                                  rules_,
+                                  state_.clock.data()};
+        executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
+        executor_.parallelBlocks(nodeBlocks(), nodeScratch(), nodePass());
+    });
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::elementPasses()
+{
+    for (std::size_t group = 0; group < data_.groups.size(); ++group) {
+        const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
+        switch (data_.groups[group].hourglass) {
+        case HourglassForm::stiffness:
+            plastic ? elementPass<J2Plasticity, StiffnessHourglass>(group)
+                    : elementPass<Elastic, StiffnessHourglass>(group);
+            break;
+        case HourglassForm::viscous:
+            plastic ? elementPass<J2Plasticity, ViscousHourglass>(group)
+                    : elementPass<Elastic, ViscousHourglass>(group);
+            break;
+        case HourglassForm::physical:
+            plastic ? elementPass<J2Plasticity, PhysicalHourglass>(group)
+                    : elementPass<Elastic, PhysicalHourglass>(group);
+            break;
+        }
+    }
+}
+
+template <class Precision, class Executor>
+template <class Material, class Hourglass>
+void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
+{
+    const ElementPass<Precision, Material, Hourglass> pass{
+        .list = state_.groupPatches[group].data(),
+        .patches = state_.patches.data(),
+        .materials = state_.materials.data(),
+        .slotNode = state_.slotNode.data(),
+        .corners = state_.corners.data(),
+        .slotCornerStart = state_.slotCornerStart.data(),
+        .slotCorners = state_.slotCorners.data(),
+        .position = state_.position.data(),
+        .velocity = state_.velocity.data(),
+        .nodeStride = std::size_t(data_.nodeCount),
+        .mass = state_.elementMass.data(),
+        .stress = state_.stress.data(),
+        .plasticStrain = state_.plasticStrain.data(),
+        .hourglass = state_.hourglass.data(),
+        .slotForce = state_.slotForce.data(),
+        .slotStride = std::size_t(data_.slotCount),
+        .patchEnergy = state_.patchEnergy.data(),
+        .patchStep = state_.patchStep.data(),
+        .clock = state_.clock.data(),
+        .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0)};
+    executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
+}
+
+template <class Precision, class Executor>
+NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
+{
+    auto& s = const_cast<DeviceState<Precision, Executor>&>(state_);
+    return {.nodeCount = data_.nodeCount,
+            .position = s.position.data(),
+            .velocity = s.velocity.data(),
+            .inverseMass = s.inverseMass.data(),
+            .nodeStride = std::size_t(data_.nodeCount),
+            .slotStart = s.nodeSlotStart.data(),
+            .slots = s.nodeSlots.data(),
+            .slotForce = s.slotForce.data(),
+            .slotStride = std::size_t(data_.slotCount),
+            .fixed = s.fixed.data(),
+            .contactNode = s.contactNumber.data(),
+            .contactForce = s.contactSum.data(),
+            .contactScale = data_.contactScale,
+            .conditionStart = s.conditionStart.data(),
+            .conditionOf = s.conditionOf.data(),
+            .conditions = s.conditions.data(),
+            .amplitudeRows = s.amplitudeRows.data(),
+            .massDamping = typename Precision::Motion(massDamping_),
+            .ledger = ledger_,
+            .blockWork = s.blockWork.data(),
+            .clock = s.clock.data()};
+}
+
+} // namespace fpm
+
+#include "solver/ExplicitSolverContact.h"
+#include "solver/ExplicitSolverResults.h"

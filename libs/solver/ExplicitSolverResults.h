@@ -1,0 +1,140 @@
+#pragma once
+
+// Part of ExplicitSolver.h: what the host reads.
+
+namespace fpm {
+
+/// Kinetic energy, and the half work of loads and drives that closes the ledger at this time.
+template <class Precision, class Executor>
+std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
+{
+    executor_.parallelBlocks(nodeBlocks(), nodeScratch(),
+                             KineticEnergy<Precision>{nodePass(), state_.blockEnergy.data()});
+    executor_.synchronize();
+    std::array<double, 2> sums{0, 0};
+    const std::vector<double> blocks = state_.blockEnergy.toHost();
+    for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
+    return sums;
+}
+
+template <class Precision, class Executor>
+std::array<double, nodeWorks> ExplicitSolver<Precision, Executor>::works() const
+{
+    std::array<double, nodeWorks> sums{};
+    const std::vector<double> blocks = state_.blockWork.toHost();
+    for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % nodeWorks] += blocks[i];
+    return sums;
+}
+
+template <class Precision, class Executor>
+Energies ExplicitSolver<Precision, Executor>::energies()
+{
+    executor_.synchronize();
+    Energies out;
+    out.time = clock().time;
+    const auto [kinetic, closing] = kineticEnergy();
+    out.kinetic = kinetic;
+    const std::vector<double> patches = state_.patchEnergy.toHost();
+    for (std::size_t i = 0; i < patches.size(); i += elementEnergies) {
+        out.internal += patches[i];
+        out.plastic += patches[i + 1];
+        out.hourglass += patches[i + 2];
+        out.bulkViscosity += patches[i + 3];
+    }
+    for (const auto& pair : state_.pairs) {
+        for (const double energy : pair.spring.toHost()) out.contact += energy;
+        for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+    }
+    if (ledger_) {
+        const auto sums = works();
+        out.damping = sums[NodeWork::damping];
+        out.external = sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
+                       + sums[driveAfter] + closing;
+    }
+    out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
+                + out.friction + out.damping;
+    const double scale = std::max({out.kinetic, out.internal, std::abs(out.external)});
+    out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
+    return out;
+}
+
+template <class Precision, class Executor>
+NodalWorks ExplicitSolver<Precision, Executor>::nodalWorks()
+{
+    executor_.synchronize();
+    const auto sums = works();
+    return {sums[internalBefore] + sums[internalAfter], sums[contactBefore] + sums[contactAfter],
+            sums[externalBefore] + sums[externalAfter], sums[driveBefore] + sums[driveAfter],
+            sums[damping]};
+}
+
+template <class Precision, class Executor>
+PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
+{
+    executor_.synchronize();
+    const auto& pair = state_.pairs[number];
+    const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
+    PairForce out;
+    const std::size_t count = spring.size();
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < count; ++i) out.force[c] += force[c * count + i];
+    for (const double energy : spring) out.active += energy > 0;
+    out.released = pair.released.toHost()[0];
+    return out;
+}
+
+template <class Precision, class Executor>
+NodeValues ExplicitSolver<Precision, Executor>::nodeValues(const std::vector<Index>& nodes)
+{
+    const std::size_t count = nodes.empty() ? std::size_t(data_.nodeCount) : nodes.size();
+    const Array<Index, Executor> list(nodes);
+    Array<double, Executor> out(sampleValues * count);
+    executor_.parallelFor(Index(count),
+                          NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count)});
+    executor_.synchronize();
+    return {out.toHost(), count};
+}
+
+template <class Precision, class Executor>
+ElementValues ExplicitSolver<Precision, Executor>::elementValues()
+{
+    executor_.synchronize();
+    const auto stress = state_.stress.toHost();
+    const auto strain = state_.plasticStrain.toHost();
+    ElementValues out;
+    for (Index element = 0; element < data_.elementCount; ++element) {
+        const std::size_t tile = data_.tileOf(element),
+                          place = std::size_t(data_.elementPlace[std::size_t(element)]);
+        const std::size_t stride = std::size_t(data_.elementStride[std::size_t(element)]);
+        for (std::size_t k = 0; k < 6; ++k)
+            out.stress.push_back(double(stress[6 * tile + k * stride + place]));
+        out.plasticStrain.push_back(double(strain[tile + place]));
+    }
+    return out;
+}
+
+template <class Precision, class Executor>
+std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
+{
+    executor_.synchronize();
+    std::uint64_t hash = hashStart;
+    for (const auto& x : state_.position.toHost()) hash = hashed(hash, double(x));
+    for (const auto v : state_.velocity.toHost()) hash = hashed(hash, v);
+    const auto stress = state_.stress.toHost(), hourglass = state_.hourglass.toHost();
+    const auto strain = state_.plasticStrain.toHost();
+    for (Index element = 0; element < data_.elementCount; ++element) {
+        const std::size_t tile = data_.tileOf(element),
+                          place = std::size_t(data_.elementPlace[std::size_t(element)]);
+        const std::size_t stride = std::size_t(data_.elementStride[std::size_t(element)]);
+        for (std::size_t k = 0; k < 6; ++k)
+            hash = hashed(hash, stress[6 * tile + k * stride + place]);
+        for (std::size_t k = 0; k < 12; ++k)
+            hash = hashed(hash, hourglass[12 * tile + k * stride + place]);
+        hash = hashed(hash, strain[tile + place]);
+    }
+    for (const auto& pair : state_.pairs)
+        for (const auto f : pair.friction.toHost()) hash = hashed(hash, f);
+    return hash;
+}
+
+} // namespace fpm

@@ -1,0 +1,107 @@
+#include "solver/Histories.h"
+
+namespace fpm {
+
+std::vector<std::string> energyColumns()
+{
+    return {"time",    "kinetic",  "internal", "plastic",  "hourglass", "bulkViscosity",
+            "contact", "friction", "damping",  "external", "total",     "balance"};
+}
+
+namespace {
+
+/// Quantity of NodeValues and the letter of its components: "displacement" -> 0, "u".
+std::pair<int, std::string> fieldQuantity(const std::string& field)
+{
+    if (field == "velocity") return {1, "v"};
+    if (field == "acceleration") return {2, "a"};
+    return {0, "u"};
+}
+
+} // namespace
+
+Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) : model_(model)
+{
+    for (const History& history : model.control.histories) {
+        Channel channel{&history, {}};
+        const auto folder = caseRoot / "postProcessing" / history.name / "0";
+        const auto add = [&](const std::string& file, const std::vector<std::string>& columns) {
+            channel.files.push_back(
+                std::make_unique<HistoryFile>(folder / (file + ".dat"), columns));
+        };
+        switch (history.kind) {
+        case History::Kind::energies:
+            add("energies", energyColumns());
+            break;
+        case History::Kind::contactForces:
+            for (const ContactPair& pair : model.contactPairs)
+                add(pair.name, {"time", "fx", "fy", "fz", "active"});
+            break;
+        case History::Kind::point:
+            for (const std::string& field : history.fields) {
+                const std::string c = fieldQuantity(field).second;
+                add(field, {"time", c + "x", c + "y", c + "z"});
+            }
+            break;
+        case History::Kind::reaction:
+            add("reaction", {"time", "fx", "fy", "fz"});
+            break;
+        }
+        channels_.push_back(std::move(channel));
+    }
+}
+
+void Histories::sample(Solver& solver, const Energies& e)
+{
+    for (Channel& channel : channels_) switch (channel.history->kind) {
+        case History::Kind::energies:
+            channel.files[0]->append({e.time, e.kinetic, e.internal, e.plastic, e.hourglass,
+                                      e.bulkViscosity, e.contact, e.friction, e.damping, e.external,
+                                      e.total, e.balance});
+            break;
+        case History::Kind::contactForces:
+            sampleContact(channel, solver, e.time);
+            break;
+        case History::Kind::point:
+            samplePoint(channel, solver, e.time);
+            break;
+        case History::Kind::reaction:
+            sampleReaction(channel, solver, e.time);
+            break;
+        }
+}
+
+void Histories::samplePoint(Channel& channel, Solver& solver, double time)
+{
+    const NodeValues values = solver.nodeValues({channel.history->node});
+    const Point& start = model_.mesh.points[std::size_t(channel.history->node)];
+    for (std::size_t i = 0; i < channel.files.size(); ++i) {
+        const int quantity = fieldQuantity(channel.history->fields[i]).first;
+        Point value = values.at(quantity, 0);
+        if (quantity == 0)
+            for (std::size_t c = 0; c < 3; ++c) value[c] -= start[c];
+        channel.files[i]->append({time, value[0], value[1], value[2]});
+    }
+}
+
+/// Force the condition exerts on the body: what balances element, contact and load forces. The
+/// inertia of the driven nodes themselves is not part of it.
+void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
+{
+    const NodeValues values = solver.nodeValues(channel.history->nodes);
+    Point sum{0, 0, 0};
+    for (std::size_t i = 0; i < values.count; ++i)
+        for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
+    channel.files[0]->append({time, sum[0], sum[1], sum[2]});
+}
+
+void Histories::sampleContact(Channel& channel, Solver& solver, double time)
+{
+    for (std::size_t pair = 0; pair < channel.files.size(); ++pair) {
+        const PairForce force = solver.pairForce(pair);
+        channel.files[pair]->append(
+            {time, force.force[0], force.force[1], force.force[2], double(force.active)});
+    }
+}
+
+} // namespace fpm

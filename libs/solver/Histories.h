@@ -1,0 +1,36 @@
+#pragma once
+
+#include "io/Table.h"
+#include "solver/Solver.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace fpm {
+
+/// The history files of a run: postProcessing/<name>/0/*.dat, one row a sample.
+class Histories
+{
+public:
+    Histories(const std::filesystem::path& caseRoot, const Model& model);
+    /// Appends one row to every file; `energies` belong to the solver's present time.
+    void sample(Solver& solver, const Energies& energies);
+
+private:
+    struct Channel {
+        const History* history;
+        std::vector<std::unique_ptr<HistoryFile>> files; ///< one a field or contact pair
+    };
+    void samplePoint(Channel& channel, Solver& solver, double time);
+    void sampleReaction(Channel& channel, Solver& solver, double time);
+    void sampleContact(Channel& channel, Solver& solver, double time);
+
+    const Model& model_;
+    std::vector<Channel> channels_;
+};
+
+/// Column names of energies.dat.
+std::vector<std::string> energyColumns();
+
+} // namespace fpm

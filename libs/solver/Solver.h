@@ -1,0 +1,87 @@
+#pragma once
+
+#include "kernels/particle/NodeSample.h"
+#include "kernels/particle/StepClock.h"
+#include "model/Model.h"
+#include "solver/SolverData.h"
+
+#include <memory>
+
+namespace fpm {
+
+/// The ledger at one time: work and energy in the case's units.
+struct Energies {
+    double time = 0;
+    double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
+    double contact = 0; ///< recoverable, in the penalty springs
+    double friction = 0, damping = 0;
+    double external = 0; ///< done by loads and drives
+    double total = 0;    ///< everything held or dissipated
+    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal, external
+};
+
+/// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.
+struct NodalWorks {
+    double internal = 0, contact = 0, external = 0, drives = 0, damping = 0;
+};
+
+struct PairForce {
+    Point force{0, 0, 0};      ///< on the contactor
+    Index active = 0;          ///< contactors in touch
+    std::int64_t released = 0; ///< let go since the start because they went too deep
+};
+
+/// Seconds spent; on a GPU only the total is known without disturbing the run.
+struct StepTimes {
+    double total = 0, element = 0, contact = 0, node = 0, search = 0;
+    std::int64_t searches = 0;
+};
+
+/// State of chosen nodes: [value][node], values as in NodeSample.
+struct NodeValues {
+    std::vector<double> values;
+    std::size_t count = 0;
+    Point at(int quantity, std::size_t i) const
+    {
+        const std::size_t q = std::size_t(3 * quantity);
+        return {values[q * count + i], values[(q + 1) * count + i], values[(q + 2) * count + i]};
+    }
+};
+
+struct ElementValues {
+    std::vector<double> stress;        ///< [element][6], XX YY ZZ XY YZ XZ
+    std::vector<double> plasticStrain; ///< [element]
+};
+
+/// A model in motion. One abstract door; behind it everything is compiled for one precision and one
+/// executor. All times are exact: forces, stress and positions belong to clock().time.
+class Solver
+{
+public:
+    virtual ~Solver() = default;
+
+    /// Forces at the start, without motion. Called once, before the first advance().
+    virtual void start() = 0;
+    /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early only on failure.
+    virtual void advance(double time, std::int64_t maxSteps) = 0;
+
+    virtual StepClock clock() const = 0;
+    virtual Energies energies() = 0;
+    virtual NodalWorks nodalWorks() = 0;
+    virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
+    virtual ElementValues elementValues() = 0;
+    /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.
+    virtual std::uint64_t stateChecksum() = 0;
+    virtual const StepTimes& times() const = 0;
+    virtual std::size_t deviceBytes() const = 0;
+    virtual std::string description() const = 0; ///< "openmp, 2 threads, avx512, double"
+    virtual const SolverData& data() const = 0;
+};
+
+/// Builds the solver for the model's backend, vector width and precision. Throws Error(device) when
+/// the backend is not in this build or the machine lacks it; never falls back silently.
+/// `audit`: book nodal works of every force family, for tests.
+std::unique_ptr<Solver> makeSolver(const Model& model, bool audit = false);
+
+} // namespace fpm

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "kernels/contact/ForceSum.h"
+#include "kernels/element/ElementPass.h"
+#include "kernels/particle/Amplitude.h"
+#include "mesh/Patches.h"
+#include "model/Model.h"
+
+namespace fpm {
+
+/// Patches that share a kernel: same material law and hourglass form.
+struct KernelGroup {
+    PartKind kind;
+    HourglassForm hourglass;
+    std::vector<Index> patches;
+};
+
+/// One contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
+struct PairData {
+    std::string name;
+    ContactSearch search = ContactSearch::faces;
+    double friction = 0, tangentialRatio = 0.1;
+    double meanFaceSize = 0; ///< square root of the mean target face area
+    double reach = 0;        ///< distance at which faces are tracked
+    double cellSize = 0;
+    std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
+    std::vector<Index> faceNode, faceNumber, neighbour;
+    std::vector<double> faceStiffness, faceThickness;
+    std::vector<Index> target, targetFaceStart, targetFaces;
+};
+
+/// Everything the solver uploads, in double and in the layout of the kernels.
+struct SolverData {
+    Index nodeCount = 0, elementCount = 0, paddedElements = 0, slotCount = 0;
+    std::size_t maxPatchNodes = 0;
+    std::vector<PatchHeader> patches;
+    std::vector<KernelGroup> groups;
+    std::vector<MaterialConstants<double>> materials;
+    std::vector<std::uint16_t> corners;     ///< tiles of 8
+    std::vector<std::uint16_t> slotCorners; ///< corner * 256 + element
+    std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
+    std::vector<double> elementMass; ///< tiles of 1
+    std::vector<double> nodeMass;
+    std::vector<Point> velocity; ///< initial
+    std::vector<std::uint8_t> fixed;
+    std::vector<Index> conditionStart, conditionOf;
+    std::vector<Condition> conditions;
+    std::vector<double> amplitudeRows;
+    bool rigidParts = false;
+
+    std::vector<PairData> pairs;
+    std::vector<Index> contactNodes;  ///< node of each contact node
+    std::vector<Index> contactNumber; ///< of each node, -1; empty without contact
+    std::vector<double> contactInverseMass;
+    ForceScale contactScale;
+
+    /// Position of element e (mesh order) in tiles: tile and place.
+    std::size_t tileOf(Index element) const { return elementTile[std::size_t(element)]; }
+    std::vector<std::size_t> elementTile; ///< tile start of the element's patch
+    std::vector<Index> elementPlace, elementStride;
+};
+
+/// Builds the data of a validated model. Throws Error(mesh) for a node without mass.
+SolverData makeSolverData(const Model& model);
+/// The contact part of makeSolverData.
+void addContact(SolverData& data, const Model& model);
+/// Material constants of a part.
+MaterialConstants<double> materialConstants(const Part& part);
+
+} // namespace fpm

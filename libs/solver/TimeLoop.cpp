@@ -1,0 +1,264 @@
+#include "solver/TimeLoop.h"
+
+#include "base/Format.h"
+#include "io/AtomicFile.h"
+#include "solver/Histories.h"
+#include "solver/Performance.h"
+#include "solver/resultFrame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+
+namespace fpm {
+
+namespace {
+
+/// The only thing a signal handler may touch.
+volatile std::sig_atomic_t stopSignal = 0;
+
+extern "C" void noteSignal(int signal)
+{
+    stopSignal = signal;
+}
+
+/// Catches SIGINT and SIGTERM while it lives; the second one ends the program at once.
+class SignalWatch
+{
+public:
+    SignalWatch()
+    {
+        struct sigaction action = {};
+        action.sa_handler = noteSignal;
+        action.sa_flags = int(SA_RESETHAND);
+        stopSignal = 0;
+        sigaction(SIGINT, &action, &oldInterrupt_);
+        sigaction(SIGTERM, &action, &oldTerminate_);
+    }
+    ~SignalWatch()
+    {
+        sigaction(SIGINT, &oldInterrupt_, nullptr);
+        sigaction(SIGTERM, &oldTerminate_, nullptr);
+    }
+    bool raised() const { return stopSignal != 0; }
+
+private:
+    struct sigaction oldInterrupt_ = {}, oldTerminate_ = {};
+};
+
+double secondsSince(std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string clockText(double seconds)
+{
+    const long s = std::lround(std::clamp(seconds, 0.0, 3.6e8));
+    const auto two = [](long n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
+    return two(s / 3600) + ":" + two(s / 60 % 60) + ":" + two(s % 60);
+}
+
+std::string hexText(std::uint64_t value)
+{
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> shift) & 15];
+    return text;
+}
+
+/// One run from start to end: what is due when, and what goes where.
+class TimeLoop
+{
+public:
+    TimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps)
+        : solver_(solver),
+          model_(model),
+          control_(model.control),
+          run_(run),
+          maxSteps_(maxSteps),
+          histories_(run.theCase.root(), model)
+    {
+    }
+
+    void run()
+    {
+        writeStatus("running");
+        try {
+            loop();
+        } catch (const Error& error) {
+            writeStatus(error.code() == ExitCode::stopped ? "stopped" : "failed");
+            throw;
+        }
+        writeStatus("finished");
+    }
+
+private:
+    void loop()
+    {
+        const SignalWatch signals;
+        energies_ = solver_.energies();
+        histories_.sample(solver_, energies_);
+        writeFrame();
+        while (!done()) {
+            const double nextFrame = frameTime(frames_);
+            const double due = std::min(nextFrame, sampleTime(samples_));
+            advanceTo(due, nextFrame);
+            check();
+            if (clock_.time >= sampleTime(samples_) - tiny() || done()) sample();
+            if (clock_.time >= nextFrame) writeFrame();
+            progress();
+            if (signals.raised()) {
+                if (clock_.time > lastFrame_) writeFrame();
+                finish();
+                throw Error(ExitCode::stopped, format("stopped by signal at time {}", clock_.time),
+                            "frames and histories up to this time are complete; a new run starts "
+                            "at time 0");
+            }
+        }
+        finish();
+    }
+
+    bool done() const
+    {
+        return clock_.time >= control_.endTime || (maxSteps_ >= 0 && clock_.steps >= maxSteps_);
+    }
+    double tiny() const { return 1e-9 * control_.endTime; }
+    double frameTime(std::int64_t number) const
+    {
+        const double time = double(number) * control_.writeInterval;
+        return time > control_.endTime - 1e-6 * control_.writeInterval ? control_.endTime : time;
+    }
+    double sampleTime(std::int64_t number) const
+    {
+        return std::min(double(number) * control_.historyInterval, control_.endTime);
+    }
+
+    /// Frames and the end are hit exactly; a history row is taken at the first step at or after its
+    /// time, so that it never shortens a step.
+    void advanceTo(double due, double stop)
+    {
+        std::int64_t steps = 1;
+        if (clock_.step > 0)
+            steps = std::max<std::int64_t>(
+                1, std::int64_t(std::ceil((due - clock_.time) / clock_.step)));
+        if (maxSteps_ >= 0) steps = std::min(steps, maxSteps_ - clock_.steps);
+        solver_.advance(std::min(stop, control_.endTime), steps);
+        clock_ = solver_.clock();
+    }
+
+    void sample()
+    {
+        energies_ = solver_.energies();
+        histories_.sample(solver_, energies_);
+        while (sampleTime(samples_) <= clock_.time + tiny()
+               && sampleTime(samples_) < control_.endTime)
+            ++samples_;
+        if (!std::isfinite(energies_.total))
+            fail(format("the energy is not a number at time {}", clock_.time));
+        if (std::abs(energies_.balance) > control_.energyStop)
+            fail(format("energy balance error {} % at time {} is beyond energyBalance.stop {} %",
+                        toText(100 * energies_.balance, 3), clock_.time,
+                        100 * control_.energyStop));
+        if (std::abs(energies_.balance) > control_.energyWarning)
+            run_.log.warning(
+                format("energy balance error is beyond {} %", 100 * control_.energyWarning));
+    }
+
+    void check()
+    {
+        if (clock_.failed == 2)
+            fail(format("step {} at time {}: timeStep.fixed {} is beyond the stable step {}",
+                        clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep));
+        if (clock_.failed)
+            fail(format("step {} at time {}: {}", clock_.steps, clock_.time,
+                        worstElement(solver_, model_)));
+    }
+
+    [[noreturn]] void fail(const std::string& what)
+    {
+        writeFileAtomically(run_.theCase.path("why.txt"), what + "\n");
+        if (clock_.time > lastFrame_) writeFrame();
+        finish();
+        throw Error(
+            ExitCode::numericalStop, what,
+            "the state up to here is in the last time folder; try a smaller timeStep.safety "
+            "or normalScale, and look at the element or pair named");
+    }
+
+    void writeFrame()
+    {
+        const std::string name = timeName(clock_.time);
+        fpm::writeFrame(run_.theCase.root(), name, resultFrame(solver_, model_),
+                        model_.mesh.points.size(), model_.mesh.hexahedra.size());
+        run_.log.line(format("Time = {}", name));
+        lastFrame_ = clock_.time;
+        ++frames_;
+    }
+
+    void progress()
+    {
+        const double wall = secondsSince(begin_);
+        if (wall < nextLine_) return;
+        nextLine_ = wall + 1;
+        const double part = clock_.time / control_.endTime;
+        const double rate = double(clock_.steps) * double(model_.mesh.hexahedra.size()) / wall;
+        run_.log.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
+                                 toText(100 * part, 3), toText(clock_.time, 4),
+                                 toText(clock_.step, 3), toText(100 * energies_.balance, 2),
+                                 toText(rate / 1e6, 3),
+                                 clockText(part > 0 ? wall * (1 - part) / part : 0)));
+    }
+
+    void finish()
+    {
+        energies_ = solver_.energies();
+        reportEnergies();
+        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
+            if (const auto lost = solver_.pairForce(pair).released; lost > 0)
+                run_.log.warning(
+                    format("{} contactor nodes of pair {} went deeper than the target is "
+                           "thick and were let go",
+                           lost, model_.contactPairs[pair].name));
+        reportPerformance(solver_, model_, run_);
+        run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
+    }
+
+    void reportEnergies()
+    {
+        const Energies& e = energies_;
+        run_.log.line(format(
+            "energies at {}: kinetic {} internal {} (plastic {}) hourglass {} bulk viscosity {}",
+            e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity));
+        run_.log.line(format("  contact {} friction {} damping {} external {}  balance error {} %",
+                             e.contact, e.friction, e.damping, e.external,
+                             toText(100 * e.balance, 3)));
+    }
+
+    void writeStatus(const std::string& state)
+    {
+        writeFileAtomically(run_.theCase.path("status"),
+                            format("state {};\ntime {};\nsteps {};\nwallSeconds {};\n", state,
+                                   toText(clock_.time), clock_.steps, secondsSince(begin_)));
+    }
+
+    Solver& solver_;
+    const Model& model_;
+    const Control& control_;
+    Run& run_;
+    std::int64_t maxSteps_;
+    Histories histories_;
+    StepClock clock_;
+    Energies energies_;
+    std::int64_t frames_ = 0, samples_ = 1;
+    double nextLine_ = 1, lastFrame_ = 0;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+void runTimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps)
+{
+    TimeLoop(solver, model, run, maxSteps).run();
+}
+
+} // namespace fpm

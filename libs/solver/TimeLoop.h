@@ -1,0 +1,18 @@
+#pragma once
+
+#include "application/Application.h"
+#include "solver/Solver.h"
+
+namespace fpm {
+
+/// Runs a started solver to the end time: histories, frames, energy balance, progress line; writes
+/// `status` and postProcessing/performance. Throws Error(numericalStop) after writing why.txt when
+/// an element inverts or the balance is lost, Error(stopped) on SIGINT or SIGTERM. `maxSteps` >= 0
+/// ends the run early.
+void runTimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps = -1);
+
+/// What -dryRun prints: kernels this scene needs and those it leaves out, counts, memory, the first
+/// time step and the element that limits it, and the expected time (measured over a few steps).
+void reportDryRun(Solver& solver, const Model& model, Log& log);
+
+} // namespace fpm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "parallel/CpuExecutor.h"
+#include "solver/ExplicitSolver.h"
+#include "solver/instances.h"
+
+namespace fpm {
+
+template <class Precision, int Bits>
+std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, const char* simd)
+{
+    const std::string description = model.control.backend + ", " + std::to_string(threads)
+                                    + (threads == 1 ? " thread, " : " threads, ") + simd + ", "
+                                    + Precision::name;
+    // Enough for the largest patch a mesh may have (2048 nodes).
+    const std::size_t scratch =
+        std::max(elementScratch<typename Precision::Work>(2048), nodeScratch());
+    return std::make_unique<ExplicitSolver<Precision, CpuExecutor<Bits>>>(
+        model, CpuExecutor<Bits>(threads, scratch), description, audit);
+}
+
+template <int Bits>
+std::unique_ptr<Solver> makeCpuSolver(const Model& model, int threads, bool audit, const char* simd)
+{
+    switch (model.control.precision) {
+    case Precision::single:
+        return makeCpu<SinglePrecision, Bits>(model, threads, audit, simd);
+    case Precision::mixed:
+        return makeCpu<MixedPrecision, Bits>(model, threads, audit, simd);
+    case Precision::double_:
+        break;
+    }
+    return makeCpu<DoublePrecision, Bits>(model, threads, audit, simd);
+}
+
+} // namespace fpm

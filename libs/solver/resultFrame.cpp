@@ -1,0 +1,52 @@
+#include "solver/resultFrame.h"
+
+#include <cmath>
+
+namespace fpm {
+
+namespace {
+
+double mises(const double* s)
+{
+    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+    return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+ResultField nodeField(const NodeValues& values,
+                      int quantity,
+                      const std::string& name,
+                      const std::vector<Point>* minus)
+{
+    ResultField field{name, 3, {}};
+    for (std::size_t i = 0; i < values.count; ++i) {
+        Point value = values.at(quantity, i);
+        for (std::size_t c = 0; c < 3; ++c)
+            field.values.push_back(value[c] - (minus ? (*minus)[i][c] : 0));
+    }
+    return field;
+}
+
+} // namespace
+
+Frame resultFrame(Solver& solver, const Model& model)
+{
+    Frame frame;
+    frame.time = solver.clock().time;
+    const NodeValues nodes = solver.nodeValues({});
+    frame.nodeFields.push_back(nodeField(nodes, 0, "U", &model.mesh.points));
+    frame.nodeFields.push_back(nodeField(nodes, 1, "V", nullptr));
+    if (!model.contactPairs.empty())
+        frame.nodeFields.push_back(nodeField(nodes, 4, "FCONT", nullptr));
+
+    const ElementValues elements = solver.elementValues();
+    ResultField stress{"S", 6, elements.stress}, equivalent{"Mises", 1, {}},
+        plastic{"PEEQ", 1, elements.plasticStrain}, part{"Part", 1, {}};
+    for (std::size_t e = 0; e < elements.plasticStrain.size(); ++e) {
+        equivalent.values.push_back(mises(&elements.stress[6 * e]));
+        part.values.push_back(double(model.mesh.partOf(Index(e))));
+    }
+    frame.elementFields = {stress, equivalent, plastic, part};
+    return frame;
+}
+
+} // namespace fpm

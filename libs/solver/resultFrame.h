@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/VtkHdf.h"
+#include "solver/Solver.h"
+
+namespace fpm {
+
+/// The fields of one output time: U V FCONT on nodes, S Mises PEEQ Part on elements.
+Frame resultFrame(Solver& solver, const Model& model);
+
+} // namespace fpm

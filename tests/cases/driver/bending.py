@@ -1,0 +1,46 @@
+"""Bodies one element thick: with one integration point, bending is the work of the hourglass control.
+
+Both are loaded slowly and damped critically until they rest."""
+
+from driver.caseRun import CaseRun
+
+# Euler-Bernoulli with shear (kappa 5/6): F L^3 / 3 E I + F L / (5/6) G A.
+BEAM = 0.4 * 40**3 / (3 * 70000 * 2 * 2**3 / 12) + 0.4 * 40 / (5 / 6 * 70000 / 2.6 * 4)
+# Clamped square plate under uniform pressure (Timoshenko): 0.00126532 p a^4 / D.
+PLATE = 0.00126532 * 0.01 * 40**4 / (70000 / (12 * (1 - 0.3**2)))
+
+FORMS = {
+    "physical 1": "form physical; coefficient 1;",
+    "stiffness 0.05": "form stiffness; coefficient 0.05;",
+    "viscous 0.1": "form viscous; coefficient 0.1;",
+}
+
+
+def measure(binaries, case, point, theory, form):
+    """Deflection at rest over that of the theory, and how still it is."""
+    with CaseRun(f"tests/cases/{case}", binaries) as run:
+        run.replace("constant/partProperties", r"form physical; coefficient 1;", FORMS[form])
+        run.mesh()
+        run.solve()
+        deflection = [-u for u in run.table(f"{point}/0/displacement.dat")["uz"]]
+        last = deflection[-len(deflection) // 10:]
+        return deflection[-1] / theory, (max(last) - min(last)) / abs(deflection[-1])
+
+
+def beam(binaries, form):
+    return measure(binaries, "cantilever", "tip", BEAM, form)
+
+
+def plate(binaries, form):
+    return measure(binaries, "clampedPlate", "centre", PLATE, form)
+
+
+def check(binaries, marks):
+    for name, body in (("cantilever", beam), ("clamped plate", plate)):
+        ratio, unrest = body(binaries, "physical 1")
+        marks.within(f"{name}, physical / theory", ratio, 0.98, 1.02)
+        marks.below("unrest", unrest, 0.005)
+        ratio, unrest = body(binaries, "stiffness 0.05")
+        marks.note(f"stiffness 0.05: {ratio:.3f}")
+        ratio, unrest = body(binaries, "viscous 0.1")
+        marks.note(f"viscous 0.1: {ratio:.3g} (no rest: {unrest:.2g})")

@@ -1,0 +1,163 @@
+#include "io/VtkHdf.h"
+
+#include "base/Error.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+using namespace fpm;
+using test::readBytes;
+using test::TemporaryFolder;
+using test::writeBytes;
+
+namespace {
+
+const std::vector<Point> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                              {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+const std::vector<std::array<Index, 8>> oneCell{{0, 1, 2, 3, 4, 5, 6, 7}};
+
+Frame exampleFrame(double time)
+{
+    Frame frame;
+    frame.time = time;
+    frame.nodeFields.push_back({"U", 3, std::vector<double>(24, 0.5)});
+    frame.elementFields.push_back({"S", 6, {1, 2, 3, 4, 5, 6}});
+    frame.elementFields.push_back({"PEEQ", 1, {0.25}});
+    return frame;
+}
+
+void writeMeshOf(const std::filesystem::path& root)
+{
+    Hdf5Image image;
+    writeGrid(image, cube, oneCell);
+    image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
+    image.save(root / "constant" / "mesh.vtkhdf");
+}
+
+} // namespace
+
+TEST(VtkHdf, WritesTheArraysVtkAsksFor)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path());
+
+    const Hdf5Reader reader(folder / "constant/mesh.vtkhdf");
+
+    EXPECT_EQ(reader.text("/VTKHDF", "Type"), "UnstructuredGrid");
+    EXPECT_EQ(reader.integers("/VTKHDF", "Version"), (std::vector<std::int64_t>{1, 0}));
+    EXPECT_EQ(reader.integers("/VTKHDF/NumberOfPoints"), (std::vector<std::int64_t>{8}));
+    EXPECT_EQ(reader.integers("/VTKHDF/NumberOfCells"), (std::vector<std::int64_t>{1}));
+    EXPECT_EQ(reader.integers("/VTKHDF/NumberOfConnectivityIds"), (std::vector<std::int64_t>{8}));
+    EXPECT_EQ(reader.integers("/VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 8}));
+    EXPECT_EQ(reader.integers("/VTKHDF/Types"), (std::vector<std::int64_t>{12}));
+    EXPECT_EQ(reader.columns("/VTKHDF/Points"), 3U);
+}
+
+TEST(VtkHdf, WritesTheTypeAsFixedAsciiText)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path());
+
+    const hid_t file =
+        H5Fopen((folder / "constant/mesh.vtkhdf").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t attribute = H5Aopen_by_name(file, "/VTKHDF", "Type", H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = H5Aget_type(attribute);
+
+    EXPECT_EQ(H5Tis_variable_str(type), 0);
+    EXPECT_EQ(H5Tget_cset(type), H5T_CSET_ASCII);
+    EXPECT_EQ(H5Tget_strpad(type), H5T_STR_NULLPAD);
+    EXPECT_EQ(H5Tget_size(type), 16U);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    H5Fclose(file);
+}
+
+TEST(VtkHdf, ReadsBackAFrame)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path());
+
+    writeFrame(folder.path(), "0.00015", exampleFrame(1.5e-4), 8, 1);
+    const Frame frame = readFrame(folder / "0.00015/fields.vtkhdf");
+
+    EXPECT_EQ(frame.time, 1.5e-4);
+    EXPECT_EQ(frame.meshChecksum, "0123456789abcdef");
+    ASSERT_EQ(frame.nodeFields.size(), 1U);
+    EXPECT_EQ(frame.nodeFields[0].name, "U");
+    EXPECT_EQ(frame.nodeFields[0].columns, 3U);
+    EXPECT_EQ(frame.nodeFields[0].values, std::vector<double>(24, 0.5));
+    ASSERT_EQ(frame.elementFields.size(), 2U);
+    EXPECT_EQ(frame.elementFields[0].name, "PEEQ");
+    EXPECT_EQ(frame.elementFields[1].name, "S");
+    EXPECT_EQ(frame.elementFields[1].columns, 6U);
+    EXPECT_EQ(frame.elementFields[1].values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(VtkHdf, RefusesFieldsOfTheWrongLength)
+{
+    const TemporaryFolder folder;
+    Frame frame = exampleFrame(0);
+    frame.nodeFields[0].values.pop_back();
+
+    EXPECT_THROW(writeFrame(folder.path(), "0", frame, 8, 1), Error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "0/fields.vtkhdf"));
+}
+
+TEST(VtkHdf, RefusesADamagedFrame)
+{
+    const TemporaryFolder folder;
+    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    std::string bytes = readBytes(folder / "0/fields.vtkhdf");
+    bytes[bytes.size() / 2] ^= 4;
+    writeBytes(folder / "0/fields.vtkhdf", bytes);
+
+    EXPECT_THROW(readFrame(folder / "0/fields.vtkhdf"), Error);
+}
+
+TEST(VtkHdf, ListsCompleteFramesInAscendingOrder)
+{
+    const TemporaryFolder folder;
+    for (const double time : {1e-3, 0.0, 5e-5, 1.5e-4})
+        writeFrame(folder.path(), timeName(time), exampleFrame(time), 8, 1);
+    std::filesystem::create_directories(folder / "0.5");    // no frame
+    std::filesystem::create_directories(folder / "0.orig"); // no time
+    std::filesystem::create_directories(folder / "2");
+    writeBytes(folder / "2/fields.vtkhdf", "cut short");
+
+    const auto times = frameTimes(folder.path());
+
+    ASSERT_EQ(times.size(), 4U);
+    EXPECT_EQ(times[0], std::pair(std::string("0"), 0.0));
+    EXPECT_EQ(times[1], std::pair(std::string("5e-05"), 5e-5));
+    EXPECT_EQ(times[2], std::pair(std::string("0.00015"), 1.5e-4));
+    EXPECT_EQ(times[3], std::pair(std::string("0.001"), 1e-3));
+}
+
+TEST(VtkHdf, WritesTheSeriesUnderBothNames)
+{
+    const TemporaryFolder folder;
+    for (const double time : {0.0, 5e-5})
+        writeFrame(folder.path(), timeName(time), exampleFrame(time), 8, 1);
+
+    const std::string series = readBytes(folder / "case.vtkhdf.series");
+
+    EXPECT_EQ(series, "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
+                      "    {\"name\": \"0/fields.vtkhdf\", \"time\": 0},\n"
+                      "    {\"name\": \"5e-05/fields.vtkhdf\", \"time\": 5e-05}\n  ]\n}\n");
+    EXPECT_EQ(readBytes(folder / "case.hdf.series"), series);
+}
+
+TEST(VtkHdf, NamesTimesWithoutRounding)
+{
+    EXPECT_EQ(timeName(0), "0");
+    EXPECT_EQ(timeName(-0.0), "0");
+    EXPECT_EQ(timeName(0.1 + 0.2), "0.3");
+    EXPECT_EQ(timeName(1.5e-4), "0.00015");
+    EXPECT_EQ(timeName(3 * 5e-5), "0.00015");
+    EXPECT_EQ(timeName(4e-4), "0.0004");
+    EXPECT_EQ(timeName(1), "1");
+    double time = 0;
+    for (int step = 0; step < 1000; ++step) time += 1e-7;
+    EXPECT_EQ(timeName(time), "0.0001");
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace fpm::test {
+
+/// Everything updateHexahedron reads for one element, as plain numbers: shared by translation units
+/// of different vector width.
+struct BatchCase {
+    std::array<double, 24> modes;     ///< modes 0..7 of the corner coordinates, xyz each
+    std::array<double, 24> increment; ///< modes of the displacement increment
+    double mass;
+    std::array<double, 6> stress;
+    double plasticStrain;
+    std::array<double, 12> hourglass;
+};
+
+/// Everything it writes: force modes, stress, hourglass forces, works, strain increment, step.
+using BatchOutcome = std::array<double, 24 + 6 + 12 + 6>;
+
+inline constexpr double batchRate = 25, batchStrainPoint = 0.5;
+
+/// Random warped, stressed elements, some of which yield; defined in BatchElementTest.cpp.
+std::vector<BatchCase> batchCases(int count);
+
+/// Outcomes of the three hourglass forms, form by form, from scalar code of the baseline.
+std::vector<BatchOutcome> scalarOutcomes(const std::vector<BatchCase>& cases);
+std::vector<BatchOutcome> scalarFloatOutcomes(const std::vector<BatchCase>& cases);
+
+/// Adds a failure for the first number whose bits differ.
+void expectEqualBits(const std::vector<BatchOutcome>& a, const std::vector<BatchOutcome>& b);
+
+} // namespace fpm::test

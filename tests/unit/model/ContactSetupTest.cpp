@@ -1,0 +1,182 @@
+#include "model/ContactSetup.h"
+
+#include "mesh/Surface.h"
+#include "model/ContactReport.h"
+#include "unit/model/BoxMesh.h"
+#include "unit/model/CaseFolder.h"
+#include "unit/model/Refusal.h"
+
+#include <chrono>
+
+using namespace fpm;
+using fpm::test::contains;
+using fpm::test::refusal;
+
+namespace {
+
+const std::string onePair = "pairs { press { contactor upper; target lower; } }";
+
+/// An upper block of side 2 over the middle of a lower one of side 4, `gap` apart.
+Mesh blocks(double gap)
+{
+    return test::boxMesh({{"lower", {0, 0, 0}, {4, 4, 1}, {4, 4, 2}},
+                          {"upper", {1, 1, 1 + gap}, {2, 2, 1}, {3, 3, 1}}});
+}
+
+struct Workshop {
+    test::CaseFolder folder;
+    Mesh mesh;
+
+    explicit Workshop(Mesh start) : mesh(std::move(start)) {}
+    void run(const std::string& contactDict)
+    {
+        folder.write("system/contactDict", contactDict);
+        Log log(folder.logFile());
+        setContact(mesh, folder.open().dictionary("system/contactDict"), folder.open(), log);
+    }
+};
+
+ContactFit fitOf(const Mesh& mesh)
+{
+    ContactSurfaces surfaces{"press", {}, skin(mesh, 1), skin(mesh, 0)};
+    surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
+    return measureContact(mesh, surfaces);
+}
+
+} // namespace
+
+TEST(ContactSetup, StoresBothSidesOfThePairInTheMesh)
+{
+    Workshop shop(blocks(0.1));
+
+    shop.run(onePair);
+
+    ASSERT_EQ(shop.mesh.contact.size(), 1u);
+    const ContactSurfaces& surfaces = shop.mesh.contact.front();
+    EXPECT_EQ(surfaces.pair, "press");
+    EXPECT_EQ(surfaces.contactorNodes.size(), 32u);
+    EXPECT_EQ(surfaces.contactorSides, skin(shop.mesh, 1));
+    EXPECT_EQ(surfaces.targetSides, skin(shop.mesh, 0));
+    EXPECT_TRUE(contains(shop.folder.logText(),
+                         "pair press: 32 contactor nodes (area 16), 64 target faces (area 48)"));
+}
+
+TEST(ContactSetup, MeasuresTheGapOfTheNodesThatFaceTheTarget)
+{
+    const ContactFit fit = fitOf(blocks(0.25));
+
+    EXPECT_EQ(fit.facingNodes, 16u);
+    EXPECT_NEAR(fit.smallestGap, 0.25, 1e-12);
+    EXPECT_NEAR(fit.meanGap, 0.25, 1e-12);
+    EXPECT_EQ(fit.overlaps, 0u);
+    EXPECT_EQ(fit.facesPointingAway, 0u);
+}
+
+TEST(ContactSetup, TakesTouchingBodiesForTouching)
+{
+    for (const double gap : {0.0, 1e-12, -1e-12}) {
+        const ContactFit fit = fitOf(blocks(gap));
+        EXPECT_EQ(fit.overlaps, 0u);
+        EXPECT_EQ(fit.smallestGap, 0.0);
+    }
+}
+
+TEST(ContactSetup, SeesThatANodeOnTheRimOfTheTargetFacesItsTop)
+{
+    // The upper block stands on a corner of the lower one, five of its lower nodes on the rim.
+    const Mesh mesh = test::boxMesh(
+        {{"lower", {0, 0, 0}, {4, 4, 1}, {4, 4, 2}}, {"upper", {0, 0, 1}, {2, 2, 1}, {2, 2, 1}}});
+
+    EXPECT_EQ(fitOf(mesh).facingNodes, 9u);
+}
+
+TEST(ContactSetup, CountsOverlapsAndTheirDepth)
+{
+    Workshop shop(blocks(-0.125));
+
+    shop.run(onePair);
+
+    const ContactFit fit = fitOf(shop.mesh);
+    EXPECT_EQ(fit.overlaps, 16u);
+    EXPECT_NEAR(fit.deepest, 0.125, 1e-12);
+    EXPECT_TRUE(
+        contains(shop.folder.logText(),
+                 "warning: pair press: 16 contactor nodes lie inside the target, deepest 0.125"));
+}
+
+TEST(ContactSetup, CountsTargetFacesThatPointAway)
+{
+    Workshop shop(blocks(0.25));
+
+    shop.run("pairs { press { contactor upper; target lower.zMin; } }");
+
+    EXPECT_TRUE(contains(shop.folder.logText(), "target faces point away"));
+}
+
+TEST(ContactSetup, KnowsWhenItsSurfacesAreOutOfDate)
+{
+    Workshop shop(blocks(0.1));
+    EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
+
+    shop.folder.write("system/contactDict", onePair);
+    EXPECT_TRUE(contactIsOutdated(shop.mesh, shop.folder.open()));
+    shop.run(onePair);
+    EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
+
+    shop.folder.write("system/contactDict",
+                      "// friction leaves the surfaces as they are\n"
+                      "pairs { press { target lower; contactor upper; friction 0.2; } }");
+    EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
+    shop.folder.write("system/contactDict",
+                      "pairs { press { contactor upper; target lower.zMax; } }");
+    EXPECT_TRUE(contactIsOutdated(shop.mesh, shop.folder.open()));
+
+    shop.folder.write("system/contactDict", onePair);
+    shop.mesh.points[0][0] -= 1e-3;
+    EXPECT_TRUE(contactIsOutdated(shop.mesh, shop.folder.open()));
+}
+
+TEST(ContactSetup, RefusesAPairOfRigidParts)
+{
+    Workshop shop(blocks(0.1));
+    shop.folder.write("constant/partProperties",
+                      "parts { upper { model rigid; } lower { like upper; } }");
+
+    EXPECT_TRUE(contains(refusal([&] { shop.run(onePair); }),
+                         "parts 'upper' and 'lower' are both rigid: neither can give way"));
+}
+
+TEST(ContactSetup, RefusesANodeThatIsItsOwnTarget)
+{
+    Workshop shop(blocks(0.1));
+
+    EXPECT_TRUE(contains(
+        refusal([&] { shop.run("pairs { own { contactor upper; target upper.zMin; } }"); }),
+        "16 nodes are contactor and target at once"));
+    EXPECT_TRUE(shop.mesh.contact.empty());
+}
+
+TEST(ContactSetup, WarnsOfPairsThatActTwice)
+{
+    Workshop shop(blocks(0.1));
+
+    shop.run("pairs { a { contactor upper; target lower; }"
+             "b { contactor upper.zMin; target lower.zMax; } }");
+
+    EXPECT_TRUE(contains(shop.folder.logText(),
+                         "warning: pairs a and b share 16 contactor nodes and 16 target faces"));
+}
+
+TEST(ContactSetup, MeasuresAHundredThousandFacesInSeconds)
+{
+    const Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {100, 100, 1}, {220, 220, 1}},
+                                     {"upper", {0, 0, 1.5}, {100, 100, 50}, {100, 100, 5}}});
+    const auto start = std::chrono::steady_clock::now();
+
+    const ContactFit fit = fitOf(mesh);
+
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_NEAR(fit.smallestGap, 0.5, 1e-12);
+    EXPECT_LT(seconds.count(), 20);
+    RecordProperty("seconds", std::to_string(seconds.count()));
+}

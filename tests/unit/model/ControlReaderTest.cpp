@@ -1,0 +1,139 @@
+#include "model/ControlReader.h"
+
+#include "unit/model/BoxMesh.h"
+#include "unit/model/CaseFolder.h"
+#include "unit/model/Refusal.h"
+
+using namespace fpm;
+using fpm::test::contains;
+using fpm::test::refusal;
+
+namespace {
+
+Control read(const std::string& text)
+{
+    Log log = Log::quiet();
+    return readControl(Dictionary::parse(text), log);
+}
+
+std::vector<History> readFunctions(const std::string& text, Log log = Log::quiet())
+{
+    BoundaryCondition press;
+    press.name = "press";
+    press.kind = BoundaryCondition::Kind::velocity;
+    press.nodes = {1, 2};
+    BoundaryCondition weight;
+    weight.name = "weight";
+    weight.kind = BoundaryCondition::Kind::force;
+    return readHistories(Dictionary::parse("functions { " + text + " }"),
+                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, log);
+}
+
+} // namespace
+
+TEST(ControlReader, NeedsNothingButTheEndTime)
+{
+    const Control control = read("endTime 2;");
+
+    EXPECT_EQ(control.endTime, 2);
+    EXPECT_EQ(control.writeInterval, 0.2);
+    EXPECT_EQ(control.historyInterval, 0.002);
+    EXPECT_EQ(control.timeStepSafety, 0.9);
+    EXPECT_EQ(control.backend, "openmp");
+    EXPECT_TRUE(control.midStepStrain);
+}
+
+TEST(ControlReader, ReadsWhatIsSaid)
+{
+    const Control control =
+        read("endTime 2; timeStep { safety 0.5; contactLimit 1; fixed 1e-3; } precision mixed; "
+             "strainGeometry start; threads 3; energyBalance { warning 0.1; stop "
+             "0.2; }");
+
+    EXPECT_EQ(control.timeStepSafety, 0.5);
+    EXPECT_EQ(control.contactStepLimit, 1);
+    EXPECT_EQ(control.fixedTimeStep, 1e-3);
+    EXPECT_EQ(control.precision, Precision::mixed);
+    EXPECT_FALSE(control.midStepStrain);
+    EXPECT_EQ(control.threads, 3);
+    EXPECT_EQ(control.energyStop, 0.2);
+}
+
+TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
+{
+    const test::CaseFolder folder;
+    {
+        Log log(folder.logFile());
+        readControl(Dictionary::parse("application fpmExplicit; startFrom startTime; startTime 0; "
+                                      "stopAt endTime; endTime 1; deltaT 1; writeControl runTime; "
+                                      "writeFormat ascii; timePrecision 6; purgeWrite 0;"),
+                    log);
+    }
+
+    EXPECT_TRUE(
+        contains(folder.logText(), "accepted without effect: writeFormat, timePrecision, deltaT"));
+}
+
+TEST(ControlReader, RefusesValuesItCouldNotHonour)
+{
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startFrom latestTime;"); }),
+                         "every run starts at time 0"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startTime 0.5;"); }), "starts at time 0"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; purgeWrite 3;"); }), "every frame is kept"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl timeStep;"); }), "runTime"));
+}
+
+TEST(ControlReader, RefusesTimesAndLimitsOutOfRange)
+{
+    EXPECT_TRUE(contains(refusal([] { read("endTime 0;"); }), "endTime"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeInterval 0;"); }), "writeInterval"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; timeStep { safety 1.5; }"); }), "safety"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; energyBalance { stop 0.001; }"); }),
+                         "would stop before it warns"));
+}
+
+TEST(HistoryReader, RecordsTheNodeNearestToAPoint)
+{
+    const auto histories =
+        readFunctions("tip { type point; part rod; position (0.9 1 0.8); fields (velocity); }");
+
+    ASSERT_EQ(histories.size(), 1u);
+    EXPECT_EQ(histories[0].node, 7); // corner (1 1 1)
+    EXPECT_EQ(histories[0].fields, (std::vector<std::string>{"velocity"}));
+}
+
+TEST(HistoryReader, WarnsOfAPointFarFromItsPart)
+{
+    const test::CaseFolder folder;
+    readFunctions("tip { type point; part rod; position (5 0 0); }", Log(folder.logFile()));
+
+    EXPECT_TRUE(contains(folder.logText(), "node 1 at (1 0 0), 4 from the position asked for"));
+    EXPECT_TRUE(contains(folder.logText(), "warning: history tip"));
+}
+
+TEST(HistoryReader, SumsAReactionOverTheNodesOfItsCondition)
+{
+    EXPECT_EQ(readFunctions("f { type reaction; condition press; }")[0].nodes,
+              (std::vector<Index>{1, 2}));
+}
+
+TEST(HistoryReader, RefusesWhatIsNotThere)
+{
+    EXPECT_TRUE(
+        contains(refusal([] { readFunctions("t { type point; part rodd; position (0 0 0); }"); }),
+                 "the mesh has no part 'rodd'"));
+    EXPECT_TRUE(contains(refusal([] { readFunctions("f { type reaction; condition pres; }"); }),
+                         "did you mean 'press'?"));
+    EXPECT_TRUE(contains(refusal([] { readFunctions("f { type reaction; condition weight; }"); }),
+                         "only what is held or driven has a reaction"));
+    EXPECT_TRUE(contains(refusal([] {
+                             readFunctions(
+                                 "t { type point; part rod; position (0 0 0); fields (velocty); }");
+                         }),
+                         "did you mean 'velocity'?"));
+}
+
+TEST(HistoryReader, RefusesANameThatCouldLeaveTheCase)
+{
+    EXPECT_FALSE(refusal([] { readFunctions("\"../x\" { type energies; }"); }).empty());
+}

@@ -1,0 +1,111 @@
+#include "model/MotionCheck.h"
+
+#include "model/BoundaryReader.h"
+#include "unit/model/BoxMesh.h"
+#include "unit/model/CaseFolder.h"
+#include "unit/model/Refusal.h"
+
+using namespace fpm;
+using fpm::test::contains;
+using fpm::test::refusal;
+
+namespace {
+
+Model modelOf(const Dictionary& boundary, const std::string& initial, PartKind kind)
+{
+    Model model;
+    model.mesh = test::boxMesh({{"block", {0, 0, 0}, {1, 1, 1}}});
+    model.parts.resize(1);
+    model.parts[0].name = "block";
+    model.parts[0].kind = kind;
+    model.boundaryConditions = readBoundaryConditions(boundary, model.mesh);
+    model.initialVelocities = readInitialVelocities(Dictionary::parse(initial), model.mesh);
+    return model;
+}
+
+void check(const std::string& conditions, PartKind kind = PartKind::elastic)
+{
+    const auto boundary = Dictionary::parse(conditions, "constant/boundaryConditions");
+    Log log = Log::quiet();
+    checkMotions(modelOf(boundary, "", kind), boundary, log);
+}
+
+} // namespace
+
+TEST(MotionCheck, AcceptsConditionsThatMeetButAgree)
+{
+    EXPECT_NO_THROW(check("a { type fixed; set block.xMin; }"
+                          "b { type fixed; set block.yMin; }"
+                          "c { type velocity; set block.zMin; value (0 0 0); }"));
+    EXPECT_NO_THROW(check("a { type symmetry; set block.xMin; normal x; }"
+                          "b { type velocity; set block.zMax; value (0 0 5); components (z); }"));
+}
+
+TEST(MotionCheck, RefusesANodeHeldByOneConditionAndDrivenByAnother)
+{
+    const std::string text = refusal([] {
+        check("edges { type fixed; set block.xMin; }"
+              "pull { type velocity; set block.zMax; value (0 0 5); components (z); }");
+    });
+
+    EXPECT_TRUE(contains(text, "component z of node 4 at (0 0 1) is held by 'edges'"));
+    EXPECT_TRUE(contains(text, "driven otherwise by 'pull' (2 such nodes)"));
+}
+
+TEST(MotionCheck, RefusesTwoDriversOfDifferentValueOrAmplitude)
+{
+    const std::string first = "a { type velocity; part block; value (0 0 5); }";
+
+    EXPECT_NO_THROW(check(first + "b { type velocity; set block.zMax; value (0 0 5); }"));
+    EXPECT_TRUE(contains(
+        refusal([&] { check(first + "b { type velocity; set block.zMax; value (0 0 6); }"); }),
+        "4 such nodes"));
+    EXPECT_TRUE(contains(refusal([&] {
+                             check(first
+                                   + "b { type velocity; set block.zMax; value (0 0 5);"
+                                     "amplitude table ((0 0) (1 1)); }");
+                         }),
+                         "driven otherwise by 'b'"));
+}
+
+TEST(MotionCheck, AcceptsARigidPartThatIsPrescribedThroughout)
+{
+    EXPECT_NO_THROW(check("die { type velocity; part block; value (0 0 5); }", PartKind::rigid));
+}
+
+TEST(MotionCheck, RefusesARigidPartThatIsFreeSomewhere)
+{
+    const std::string text = refusal([] {
+        check("die { type velocity; part block; value (0 0 5); components (x z); }",
+              PartKind::rigid);
+    });
+
+    EXPECT_TRUE(contains(text, "part 'block' is rigid, but component y of its node 0 at (0 0 0) is "
+                               "neither held nor driven"));
+    EXPECT_TRUE(contains(text, "a rigid part moves only as prescribed"));
+}
+
+TEST(MotionCheck, RefusesARigidPartThatWouldChangeItsShape)
+{
+    EXPECT_TRUE(contains(refusal([] {
+                             check("top { type velocity; set block.zMax; value (0 0 5); }"
+                                   "bottom { type fixed; set block.zMin; }",
+                                   PartKind::rigid);
+                         }),
+                         "its nodes are moved differently in z by 'bottom' and 'top'"));
+}
+
+TEST(MotionCheck, TellsWhereAnInitialVelocityHasNoEffect)
+{
+    const test::CaseFolder folder;
+    const auto boundary = Dictionary::parse("edges { type fixed; set block.zMin; }");
+    {
+        Log log(folder.logFile());
+        checkMotions(modelOf(boundary, "fall { type velocity; part block; value (0 0 -3); }",
+                             PartKind::elastic),
+                     boundary, log);
+    }
+
+    EXPECT_TRUE(contains(folder.logText(),
+                         "initial velocity 'fall': component z has no effect at 4 of its 8 nodes"));
+}

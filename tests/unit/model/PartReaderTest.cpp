@@ -1,0 +1,160 @@
+#include "model/PartReader.h"
+
+#include "unit/model/BoxMesh.h"
+#include "unit/model/Refusal.h"
+
+using namespace fpm;
+using fpm::test::contains;
+using fpm::test::refusal;
+
+namespace {
+
+const std::string elastic = "model elastic; density 1e-9; youngsModulus 1000; poissonsRatio 0.25;";
+
+Mesh meshOf(const std::vector<std::string>& names)
+{
+    std::vector<test::Box> boxes;
+    for (const std::string& name : names)
+        boxes.push_back({name, {double(boxes.size()), 0, 0}, {1, 1, 1}});
+    return test::boxMesh(boxes);
+}
+
+Part readOne(const std::string& entries)
+{
+    return readParts(Dictionary::parse("parts { block { " + entries + " } }"), meshOf({"block"}))
+        .front();
+}
+
+std::string refusalOf(const std::string& entries)
+{
+    return refusal([&] { readOne(entries); });
+}
+
+} // namespace
+
+TEST(PartReader, FollowsTheOrderOfTheMesh)
+{
+    const auto parts =
+        readParts(Dictionary::parse("parts { b { " + elastic + " } a { like b; density 2e-9; } }"),
+                  meshOf({"a", "b"}));
+
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[0].name, "a");
+    EXPECT_EQ(parts[0].density, 2e-9);
+    EXPECT_EQ(parts[0].youngsModulus, 1000);
+    EXPECT_EQ(parts[1].density, 1e-9);
+}
+
+TEST(PartReader, MakesAStraightHardeningLineOfTwoRows)
+{
+    const Part part = readOne("model elastoplastic; density 1; youngsModulus 10; poissonsRatio 0;"
+                              "yieldStress 285; plasticModulus 900;");
+
+    ASSERT_EQ(part.hardening.size(), 2u);
+    EXPECT_EQ(part.hardening[0].yieldStress, 285);
+    EXPECT_EQ((part.hardening[1].yieldStress - part.hardening[0].yieldStress)
+                  / part.hardening[1].equivalentPlasticStrain,
+              900);
+}
+
+TEST(PartReader, LetsATableReplaceTheLineOfThePartItIsLike)
+{
+    const auto parts =
+        readParts(Dictionary::parse("parts { a { model elastoplastic; density 1; youngsModulus 10; "
+                                    "poissonsRatio 0; yieldStress 5; plasticModulus 1; }"
+                                    "b { like a; hardening table ((0 7) (0.1 8)); }"
+                                    "c { like a; yieldStress 6; } }"),
+                  meshOf({"a", "b", "c"}));
+
+    EXPECT_EQ(parts[1].hardening[0].yieldStress, 7);
+    EXPECT_EQ(parts[1].hardening[1].equivalentPlasticStrain, 0.1);
+    EXPECT_EQ(parts[2].hardening[1].yieldStress, 7);
+}
+
+TEST(PartReader, ChoosesTheHourglassCoefficientByForm)
+{
+    EXPECT_EQ(readOne(elastic).hourglassCoefficient, 0.05);
+    EXPECT_EQ(readOne(elastic + "hourglass { form viscous; }").hourglassCoefficient, 0.1);
+    EXPECT_EQ(readOne(elastic + "hourglass { form physical; }").hourglassCoefficient, 1.0);
+    EXPECT_EQ(readOne(elastic + "hourglass { coefficient 0.2; }").hourglassCoefficient, 0.2);
+}
+
+TEST(PartReader, NeedsNothingButTheModelOfARigidPart)
+{
+    EXPECT_EQ(readOne("model rigid;").kind, PartKind::rigid);
+}
+
+TEST(PartReader, RefusesAnEntryWithoutPart)
+{
+    const std::string text = refusal([] {
+        readParts(Dictionary::parse("parts { layr1 { " + elastic + " } }"), meshOf({"layer1"}));
+    });
+
+    EXPECT_TRUE(contains(text, "the mesh has no part 'layr1'"));
+    EXPECT_TRUE(contains(text, "did you mean 'layer1'?"));
+}
+
+TEST(PartReader, RefusesAPartWithoutEntry)
+{
+    const std::string text = refusal([] {
+        readParts(Dictionary::parse("parts { a { " + elastic + " } }"), meshOf({"a", "b"}));
+    });
+
+    EXPECT_TRUE(contains(text, "part 'b' of the mesh has no entry"));
+    EXPECT_TRUE(contains(text, "b { like a; }"));
+}
+
+TEST(PartReader, RefusesPhysicsOutOfRange)
+{
+    const auto with = [](const std::string& density, const std::string& e, const std::string& nu) {
+        return "model elastic; density " + density + "; youngsModulus " + e + "; poissonsRatio "
+               + nu + ";";
+    };
+
+    EXPECT_TRUE(contains(refusalOf(with("0", "1", "0")), "density"));
+    EXPECT_TRUE(contains(refusalOf(with("1", "-1", "0")), "youngsModulus"));
+    EXPECT_TRUE(contains(refusalOf(with("1", "1", "0.5")), "poissonsRatio"));
+    EXPECT_TRUE(contains(refusalOf(with("1", "1", "-1")), "poissonsRatio"));
+}
+
+TEST(PartReader, RefusesPlasticityInARigidPart)
+{
+    EXPECT_TRUE(contains(refusalOf("model rigid; yieldStress 5;"), "no meaning for model rigid"));
+}
+
+TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
+{
+    EXPECT_TRUE(contains(
+        refusalOf(
+            "model elastoplastic; density 1; youngsModulus 10; poissonsRatio 0; yieldStress 5; "
+            "hardening table ((0 5) (1 6));"),
+        "both describe the yield stress"));
+}
+
+TEST(PartReader, RefusesATableThatFallsOrStandsStill)
+{
+    const std::string plastic =
+        "model elastoplastic; density 1; youngsModulus 10; poissonsRatio 0;";
+
+    EXPECT_TRUE(contains(refusalOf(plastic + "hardening table ((0 5) (1 4));"), "must not fall"));
+    EXPECT_TRUE(contains(refusalOf(plastic + "hardening table ((0 5) (0 6));"), "must ascend"));
+    EXPECT_TRUE(contains(refusalOf(plastic + "hardening table ((0.1 5) (0.2 6));"), "strain 0"));
+}
+
+TEST(PartReader, RefusesPartsLikeOneAnotherInACircle)
+{
+    EXPECT_TRUE(contains(refusal([] {
+                             readParts(Dictionary::parse("parts { a { like b; } b { like a; } }"),
+                                       meshOf({"a", "b"}));
+                         }),
+                         "goes round in a circle: a, b, a"));
+}
+
+TEST(PartReader, SeesWhichPartsAreRigidWithoutTheirMaterials)
+{
+    const auto rigid = readRigidParts(
+        Dictionary::parse("parts { a { model rigid; } b { like a; } c { model elastic; } }"),
+        meshOf({"a", "b", "c", "d"}));
+
+    EXPECT_EQ(rigid, (std::vector<bool>{true, true, false, false}));
+}

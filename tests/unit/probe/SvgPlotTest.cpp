@@ -1,0 +1,110 @@
+#include "probe/SvgPlot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace fpm;
+
+namespace {
+
+std::size_t occurrences(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+    return count;
+}
+
+Plot sinePlot(std::size_t points, SeriesStyle style)
+{
+    Plot plot{"Sine", {"time [s]", {}, false}, {"value", {}, false}, {}};
+    PlotSeries series{"a", {}, {}, style};
+    for (std::size_t i = 0; i < points; ++i) {
+        series.x.push_back(double(i) / double(points));
+        series.y.push_back(std::sin(0.01 * double(i)));
+    }
+    plot.series.push_back(series);
+    return plot;
+}
+
+} // namespace
+
+TEST(SvgPlot, KeepsTheLowestAndHighestOfEachPixelColumn)
+{
+    std::vector<std::pair<double, double>> pixels;
+    for (int i = 0; i < 10000; ++i)
+        pixels.emplace_back(0.01 * i, i == 5050 ? 900.0 : std::sin(double(i)));
+
+    const auto kept = decimate(pixels);
+
+    std::map<int, int> perColumn;
+    for (const auto i : kept) ++perColumn[int(pixels[i].first)];
+    for (const auto& [column, count] : perColumn) EXPECT_LE(count, 2) << "column " << column;
+    EXPECT_NE(std::find(kept.begin(), kept.end(), 5050u), kept.end());
+    EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+}
+
+TEST(SvgPlot, LeavesALineThatTurnsBackInOrder)
+{
+    const std::vector<std::pair<double, double>> loop{{0, 0}, {1, 1}, {2, 2}, {1, 3}, {0, 4}};
+
+    EXPECT_EQ(decimate(loop), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+}
+
+TEST(SvgPlot, StaysSmallForAMillionPoints)
+{
+    const std::string svg = svgPlot(sinePlot(1000000, SeriesStyle::line));
+
+    EXPECT_LT(svg.size(), 60000u);
+    EXPECT_EQ(occurrences(svg, "<polyline"), 1u);
+    EXPECT_NE(svg.find("width=\"720\""), std::string::npos);
+    EXPECT_NE(svg.find(">time [s]</text>"), std::string::npos);
+}
+
+TEST(SvgPlot, BreaksTheLineAtNumbersThatAreNot)
+{
+    Plot plot = sinePlot(100, SeriesStyle::line);
+    plot.series[0].y[50] = std::numeric_limits<double>::quiet_NaN();
+
+    const std::string svg = svgPlot(plot);
+
+    EXPECT_EQ(occurrences(svg, "<polyline"), 2u);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(SvgPlot, DrawsReferenceDataAsBlackMarkersOrDashes)
+{
+    Plot plot = sinePlot(10, SeriesStyle::points);
+    plot.series.push_back(sinePlot(10, SeriesStyle::dashed).series[0]);
+
+    const std::string svg = svgPlot(plot);
+
+    EXPECT_EQ(occurrences(svg, "<circle"), 11u); // ten and the legend's
+    EXPECT_EQ(occurrences(svg, "stroke-dasharray"), 2u);
+    EXPECT_NE(svg.find("stroke=\"#1f2937\""), std::string::npos);
+}
+
+TEST(SvgPlot, ShowsEmptyAxesWhileThereIsNoData)
+{
+    Plot plot = sinePlot(0, SeriesStyle::line);
+
+    const std::string svg = svgPlot(plot);
+
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(SvgPlot, LeavesOutWhatALogarithmicAxisCannotShow)
+{
+    Plot plot = sinePlot(100, SeriesStyle::line);
+    plot.x.logarithmic = plot.y.logarithmic = true;
+    plot.series[0].y[0] = -1;
+
+    const std::string svg = svgPlot(plot);
+
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+}

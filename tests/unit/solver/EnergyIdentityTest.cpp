@@ -1,0 +1,153 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+/// Everything at once: contact with friction, plasticity, a load, drives, a support, damping. The
+/// blocks come within reach after a while, so that the contact springs shorten the step.
+Model busyScene()
+{
+    Model model = twoBlocks(aluminium(PartKind::elastoplastic, HourglassForm::physical),
+                            aluminium(PartKind::elastic, HourglassForm::stiffness),
+                            {2e4, -1e4, -8e4}, 0.3, 0.5);
+    using Kind = BoundaryCondition::Kind;
+    const auto below = [](Point p) { return p[2] < -3.99; };
+    const auto left = [](Point p) { return p[0] < -1.99 && p[2] > -3.99; };
+    const auto top = [](Point p) { return p[2] > 6.49; };
+    const auto back = [](Point p) { return p[1] > 8.99 && p[2] > -3.99 && p[0] > -1.99; };
+    holdFixed(model, nodesWhere(model.mesh, below));
+    model.boundaryConditions.push_back(condition(Kind::force, "load", nodesWhere(model.mesh, top),
+                                                 {true, true, true}, {500, -300, -4000},
+                                                 {Amplitude::Kind::table, {{0, 0}, {2e-6, 1}}}));
+    model.boundaryConditions.push_back(
+        condition(Kind::velocity, "pull", nodesWhere(model.mesh, left), {true, false, false},
+                  {-3e3, 0, 0}, {Amplitude::Kind::smooth, {{0, 0}, {3e-6, 1}}}));
+    model.boundaryConditions.push_back(
+        condition(Kind::displacement, "push", nodesWhere(model.mesh, back), {false, true, false},
+                  {0, -0.02, 0}, {Amplitude::Kind::smooth, {{0, 0}, {1e-5, 1}}}));
+    model.control.massDamping = 2e4;
+    return model;
+}
+
+/// 1/2 sum m v.v
+double kinetic(const Solver& solver, const std::vector<Point>& velocity)
+{
+    double sum = 0;
+    const std::vector<double>& mass = solver.data().nodeMass;
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) sum += 0.5 * mass[i] * velocity[i][c] * velocity[i][c];
+    return sum;
+}
+
+/// Work F^n . (dx^(n-1/2) + dx^(n+1/2)) / 2 less h F^n . (v^(n-1/2) + v^(n+1/2)) / 2, the change of
+/// kinetic energy: (dt+ - dt-) / 4 F^n . (v+ - v-) with F^n = m (v+ - v-) / h + xi m (v+ + v-) / 2.
+/// It vanishes where two steps are equal.
+double unequalStepsWork(const Solver& solver,
+                        const std::vector<Point>& before,
+                        const std::vector<Point>& after,
+                        double stepBefore,
+                        double stepAfter,
+                        double damping)
+{
+    const double h = (stepBefore + stepAfter) / 2;
+    double sum = 0;
+    const std::vector<double>& mass = solver.data().nodeMass;
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double change = after[i][c] - before[i][c],
+                         mean = (after[i][c] + before[i][c]) / 2;
+            sum += mass[i] * (change / h + damping * mean) * change;
+        }
+    return sum * (stepAfter - stepBefore) / 4;
+}
+
+struct Audit {
+    double largestError = 0; ///< of the identity, relative to the largest energy or work
+    double unequal = 0;      ///< largest sum of unequalStepsWork, same scale
+    double stepRatio = 1;    ///< largest step over smallest, the first left out
+};
+
+/// Checks K(v^(n+1/2)) - K(v^0) = works after every one of `steps` steps.
+Audit audit(const Model& model, int steps)
+{
+    const auto solver = startedSolver(model, true);
+    std::vector<Point> before = solver->data().velocity;
+    const double start = kinetic(*solver, before);
+    double previous = 0, correction = 0, least = 1e300, most = 0;
+    Audit out;
+    for (int n = 0; n < steps; ++n) {
+        solver->advance(1, 1);
+        const double step = solver->clock().step;
+        const std::vector<Point> after = halfStepVelocities(*solver);
+        correction +=
+            unequalStepsWork(*solver, before, after, previous, step, model.control.massDamping);
+        const NodalWorks w = solver->nodalWorks();
+        const double gained = kinetic(*solver, after) - start;
+        const double booked = w.internal + w.contact + w.external + w.drives - w.damping;
+        const double scale =
+            std::max({start, std::abs(w.internal), std::abs(w.external), std::abs(w.drives)});
+        out.largestError =
+            std::max(out.largestError, std::abs(gained - (booked - correction)) / scale);
+        out.unequal = std::max(out.unequal, std::abs(correction) / scale);
+        if (n > 0) {
+            least = std::min(least, step);
+            most = std::max(most, step);
+        }
+        before = after;
+        previous = step;
+    }
+    out.stepRatio = most / least;
+    const NodalWorks w = solver->nodalWorks();
+    for (const double part : {w.internal, w.contact, w.external, w.drives, w.damping})
+        EXPECT_GT(std::abs(part), 1e-6 * start) << "the scene misses a force family";
+    EXPECT_GT(solver->energies().plastic, 0);
+    EXPECT_GT(solver->energies().friction, 0);
+    return out;
+}
+
+TEST(EnergyIdentity, HoldsToRoundingWithConstantStep)
+{
+    Model model = busyScene();
+    model.control.fixedTimeStep = 3e-8;
+    const Audit result = audit(model, 500);
+    EXPECT_EQ(result.stepRatio, 1);
+    EXPECT_LT(result.largestError, 1e-10);
+}
+
+TEST(EnergyIdentity, HoldsToRoundingWithVariableStep)
+{
+    const Audit result = audit(busyScene(), 500);
+    EXPECT_GT(result.stepRatio, 1.05);
+    EXPECT_LT(result.largestError, 1e-10);
+}
+
+TEST(EnergyIdentity, TrapezoidalWorksDifferFromItLittleWhereTheStepVaries)
+{
+    const Audit result = audit(busyScene(), 500);
+    EXPECT_GT(result.unequal, 1e-12);
+    EXPECT_LT(result.unequal, 1e-3);
+}
+
+TEST(EnergyIdentity, LedgerOfTheRunCloses)
+{
+    const auto solver = startedSolver(busyScene());
+    solver->advance(1.5e-5, 100000);
+    EXPECT_FALSE(solver->clock().failed);
+    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+}
+
+TEST(EnergyIdentity, AuditDoesNotChangeTheMotion)
+{
+    Model model = busyScene();
+    model.boundaryConditions.resize(1);
+    model.control.massDamping = 0;
+    const auto plain = startedSolver(model), audited = startedSolver(model, true);
+    plain->advance(1, 200);
+    audited->advance(1, 200);
+    EXPECT_EQ(plain->stateChecksum(), audited->stateChecksum());
+}
+
+} // namespace
+} // namespace fpm::test

@@ -1,0 +1,117 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+/// One state for every way of running: a plastic block strikes an elastic one and slides with
+/// friction; eleven patches, so that threads have something to share and boundary sums an order.
+Model impact(Precision precision)
+{
+    Model model =
+        twoBlocks(aluminium(PartKind::elastoplastic, HourglassForm::physical),
+                  aluminium(PartKind::elastic, HourglassForm::stiffness), {3e4, -2e4, -1e5}, 0.3);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
+    model.control.precision = precision;
+    return model;
+}
+
+std::uint64_t
+checksumOf(Model model, const std::string& backend, int threads, const char* simd, int steps = 400)
+{
+    model.control.backend = backend;
+    model.control.threads = threads;
+    model.control.simd = simd;
+    const auto solver = startedSolver(model);
+    solver->advance(1, steps);
+    EXPECT_EQ(solver->clock().steps, steps);
+    EXPECT_FALSE(solver->clock().failed);
+    return solver->stateChecksum();
+}
+
+bool hasAvx512()
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
+           && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+}
+
+class EqualBits : public testing::TestWithParam<Precision>
+{};
+
+TEST_P(EqualBits, TheSceneTouchesSlidesAndYieldsInSeveralPatches)
+{
+    const Model model = impact(GetParam());
+    EXPECT_GE(model.mesh.patchStarts.size(), 9u);
+    const auto solver = startedSolver(model);
+    solver->advance(1, 200);
+    EXPECT_GT(solver->pairForce(0).active, 0);
+    EXPECT_GT(solver->energies().friction, 0);
+    EXPECT_GT(solver->energies().plastic, 0);
+}
+
+TEST_P(EqualBits, VectorWidthDoesNotChangeTheState)
+{
+    const Model model = impact(GetParam());
+    EXPECT_EQ(checksumOf(model, "serial", 1, "avx2"), checksumOf(model, "serial", 1, "scalar"));
+}
+
+TEST_P(EqualBits, Avx512DoesNotChangeTheState)
+{
+    if (!hasAvx512()) GTEST_SKIP() << "this processor has no AVX-512";
+    const Model model = impact(GetParam());
+    EXPECT_EQ(checksumOf(model, "serial", 1, "avx512"), checksumOf(model, "serial", 1, "scalar"));
+}
+
+TEST_P(EqualBits, ThreadsDoNotChangeTheState)
+{
+    const Model model = impact(GetParam());
+    const int steps = 150; // more threads than cores are slow: they wait for each other
+    const std::uint64_t serial = checksumOf(model, "serial", 1, "auto", steps);
+    for (const int threads : {1, 2, 3})
+        EXPECT_EQ(checksumOf(model, "openmp", threads, "auto", steps), serial)
+            << threads << " threads";
+}
+
+TEST_P(EqualBits, PausesOfTheHostDoNotChangeTheState)
+{
+    const Model model = impact(GetParam());
+    const auto solver = startedSolver(model);
+    for (int call = 0; call < 16; ++call) {
+        solver->advance(1, 25);
+        solver->energies();
+        solver->nodeValues({});
+    }
+    EXPECT_EQ(solver->stateChecksum(), checksumOf(model, "serial", 1, "auto"));
+}
+
+std::string precisionName(const testing::TestParamInfo<Precision>& info)
+{
+    return info.param == Precision::double_ ? "double"
+           : info.param == Precision::mixed ? "mixed"
+                                            : "single";
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions,
+                         EqualBits,
+                         testing::Values(Precision::double_, Precision::mixed, Precision::single),
+                         precisionName);
+
+TEST(EqualBitsAcrossPrecisions, TheyDifferFromEachOtherButNotByMuch)
+{
+    std::vector<double> height;
+    for (const Precision precision : {Precision::double_, Precision::mixed, Precision::single}) {
+        const auto solver = startedSolver(impact(precision));
+        solver->advance(5e-6, 100000);
+        double sum = 0;
+        const NodeValues values = solver->nodeValues({});
+        for (std::size_t i = 0; i < values.count; ++i) sum += values.at(0, i)[2];
+        height.push_back(sum / double(values.count));
+    }
+    EXPECT_NE(height[0], height[1]);
+    EXPECT_NEAR(height[1], height[0], 1e-4);
+    EXPECT_NEAR(height[2], height[0], 1e-3);
+}
+
+} // namespace
+} // namespace fpm::test

@@ -1,0 +1,150 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+/// A unit block led over a fixed row of faces of half its size with imposed motion: what the
+/// contact force does then is geometry alone. `shape`: height of the target's top over x.
+Model slider(const std::function<double(double)>& shape,
+             double start,
+             double height,
+             Point velocity)
+{
+    Model model;
+    addBox(model.mesh, "track", {24, 4, 1}, {0, -0.5, -0.5}, {12, 2, 0.5});
+    addBox(model.mesh, "block", {1, 1, 1}, {start, 0.1, height}, {1, 0.77, 1});
+    renumber(model.mesh);
+    model.parts = {aluminium(PartKind::elastic, HourglassForm::stiffness, "track"),
+                   aluminium(PartKind::elastic, HourglassForm::stiffness, "block")};
+    const std::vector<Index> track = nodesOfPart(model.mesh, "track");
+    const std::vector<Index> block = nodesOfPart(model.mesh, "block");
+    for (const Index node : track) {
+        Point& p = model.mesh.points[std::size_t(node)];
+        p[2] += shape(p[0]);
+    }
+    holdFixed(model, track);
+    model.initialVelocities.push_back({"led", block, velocity});
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::velocity, "led", block, {true, true, true}, velocity));
+    addContact(model, "touch", facing(model.mesh, "block", {0, 0, -1}),
+               facing(model.mesh, "track", {0, 0, 1}));
+    model.control.backend = "serial";
+    model.control.endTime = 1;
+    model.control.fixedTimeStep = 2e-8;
+    return model;
+}
+
+double flat(double)
+{
+    return 0;
+}
+
+TEST(Sliding, ForceOverFaceBordersOfAFlatTargetIsConstant)
+{
+    for (const ContactSearch search : {ContactSearch::faces, ContactSearch::closestParticle}) {
+        Model model = slider(flat, 0.3, -0.01, {1e6, 0, 0});
+        model.contactPairs[0].search = search;
+        const auto solver = startedSolver(model);
+        const Point first = solver->pairForce(0).force;
+        EXPECT_GT(first[2], 0);
+        double travelled = 0;
+        while (travelled < 10) {
+            solver->advance(1, 1);
+            travelled += 1e6 * solver->clock().step;
+            const PairForce now = solver->pairForce(0);
+            ASSERT_EQ(now.active, 4) << "after " << travelled << " mm";
+            EXPECT_NEAR(now.force[2], first[2], 1e-9 * first[2]);
+            EXPECT_NEAR(now.force[0], 0, 1e-9 * first[2]);
+        }
+    }
+}
+
+TEST(Sliding, ForceOverAGentlyCurvedTargetJumpsNoMoreThanItsNormals)
+{
+    const double radius = 160, angle = 0.5 / radius; // of neighbouring faces
+    for (const double sign : {-1.0, 1.0}) {          // ridge and valley
+        const auto shape = [&](double x) { return sign * (x - 6) * (x - 6) / (2 * radius); };
+        const double height = sign < 0 ? -0.11 : -0.02;
+        const auto solver = startedSolver(slider(shape, 0.6, height, {1e6, 0, 0}));
+        Point before = solver->pairForce(0).force;
+        double travelled = 0, worstX = 0, worstZ = 0;
+        while (travelled < 9.6) {
+            solver->advance(1, 1);
+            travelled += 1e6 * solver->clock().step;
+            const PairForce now = solver->pairForce(0);
+            ASSERT_EQ(now.active, 4) << "after " << travelled << " mm";
+            worstX = std::max(worstX, std::abs(now.force[0] - before[0]) / now.force[2]);
+            worstZ = std::max(worstZ, std::abs(now.force[2] - before[2]) / now.force[2]);
+            before = now.force;
+        }
+        EXPECT_LT(worstX, 1.2 * angle);
+        EXPECT_LT(worstZ, 0.03); // 20 um of way a step on a slope of up to 0.03
+    }
+}
+
+TEST(Sliding, NodesThatLeaveOverAFreeEdgeOpen)
+{
+    const Model model = slider(flat, 10.3, -0.01, {1e6, 0, 0});
+    const auto solver = startedSolver(model);
+    const double each = solver->pairForce(0).force[2] / 4;
+    double front = 11.3;
+    int last = 4;
+    while (front < 14) {
+        solver->advance(1, 1);
+        front += 1e6 * solver->clock().step;
+        const PairForce now = solver->pairForce(0);
+        EXPECT_LE(now.active, last);
+        last = now.active;
+        EXPECT_NEAR(now.force[2], each * now.active, 1e-9 * each);
+        EXPECT_NEAR(now.force[0], 0, 1e-9 * each);
+        // A face ends 5 % of its half size beyond the edge.
+        const int wanted = front < 12 ? 4 : front < 13 ? 2 : 0;
+        const bool onTheRim = std::abs(front - 12) < 0.04 || std::abs(front - 13) < 0.04;
+        EXPECT_TRUE(onTheRim || now.active == wanted) << now.active << " at " << front;
+    }
+    EXPECT_EQ(solver->pairForce(0).released, 0);
+}
+
+TEST(Sliding, NodesPushedThroughTheTargetAreLetGoAndCounted)
+{
+    const Model model = slider(flat, 5.2, 0.1, {0, 0, -1e6});
+    const auto solver = startedSolver(model);
+    solver->advance(0.5e-6, 100000); // 0.4 mm deep, the target is 0.5 mm thick
+    EXPECT_EQ(solver->pairForce(0).active, 4);
+    EXPECT_EQ(solver->pairForce(0).released, 0);
+    solver->advance(0.7e-6, 100000); // 0.6 mm
+    EXPECT_EQ(solver->pairForce(0).active, 0);
+    EXPECT_EQ(solver->pairForce(0).force[2], 0);
+    EXPECT_EQ(solver->pairForce(0).released, 4);
+    solver->advance(3e-6, 100000);
+    EXPECT_EQ(solver->pairForce(0).active, 0);
+    EXPECT_EQ(solver->pairForce(0).released, 4);
+}
+
+TEST(Sliding, BlockThatStartsDeepIsFoundWhereverTheCellsLie)
+{
+    // Up to half the thickness of the target a contactor is taken as lying inside it.
+    for (const double lift : {0.0, 0.15, 0.3, 0.6, 0.9, 1.2}) {
+        const auto raised = [&](double) { return lift; };
+        const auto solver = startedSolver(slider(raised, 5.2, lift - 0.2, {0, 0, 0}));
+        solver->advance(1, 1);
+        EXPECT_EQ(solver->pairForce(0).active, 4) << "lifted by " << lift;
+    }
+}
+
+TEST(Sliding, FrictionOfALedBlockIsItsCoefficientTimesTheForce)
+{
+    Model model = slider(flat, 0.3, -0.01, {1e6, 0, 0});
+    model.contactPairs[0].friction = 0.25;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 200); // 4 mm
+    const PairForce now = solver->pairForce(0);
+    EXPECT_NEAR(now.force[0], -0.25 * now.force[2], 1e-9 * now.force[2]);
+    EXPECT_NEAR(now.force[1], 0, 1e-9 * now.force[2]);
+    EXPECT_NEAR(solver->energies().friction, 0.25 * now.force[2] * 4, 0.02 * now.force[2]);
+}
+
+} // namespace
+} // namespace fpm::test
