@@ -10,6 +10,8 @@
 namespace fpm {
 
 enum class PartKind { elastic, elastoplastic, rigid };
+/// How the rigid rotation of a step is taken out of an element.
+enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
 enum class HourglassForm { stiffness, viscous, physical };
 enum class HourglassPlastic { elastic, coupled }; ///< physical form when the section yields
 
@@ -25,6 +27,7 @@ struct Part {
     double density = 0;       ///< [mass/length^3]
     double youngsModulus = 0; ///< [stress]
     double poissonsRatio = 0;
+    RotationForm rotation = RotationForm::midSurface;
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1

@@ -117,6 +117,17 @@ void readHourglass(const Lineage& lineage, Part& part)
             : HourglassPlastic::coupled;
 }
 
+RotationForm readRotation(const Lineage& lineage)
+{
+    const std::string word =
+        holder(lineage, "rotation")
+            .choiceOr("rotation", "midSurface", {"midSurface", "arcsin", "polar", "hughesWinget"});
+    return word == "arcsin"         ? RotationForm::arcsine
+           : word == "polar"        ? RotationForm::polar
+           : word == "hughesWinget" ? RotationForm::hughesWinget
+                                    : RotationForm::midSurface;
+}
+
 /// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
 void refusePlasticity(const Dictionary& own)
 {
@@ -148,6 +159,7 @@ Part readPart(const Dictionary& parts, const std::string& name)
         part.hardening = readHardening(lineage);
     else if (lineage.front().has("yieldStress") || lineage.front().has("hardening"))
         readHardening(lineage); // checked, not used: elastic and plastic differ by one word
+    part.rotation = readRotation(lineage);
     readHourglass(lineage, part);
     const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");
     part.linearBulkViscosity = viscosity.numberOr("linear", 0.06, between(0, 1));

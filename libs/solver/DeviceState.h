@@ -39,7 +39,9 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                                    m.rows,
                                    {},
                                    {},
+                                   {},
                                    {}};
+        to.general.rotation = m.general.rotation;
         for (int row = 0; row < m.rows; ++row) {
             to.strain[row] = Work(m.strain[row]);
             to.stress[row] = Work(m.stress[row]);
@@ -134,7 +136,7 @@ struct DeviceState {
     std::vector<Of<Index>> groupPatches;
     Of<std::uint16_t> corners, slotCorners;
     Of<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
-    Of<Work> elementMass, stress, hourglass, slotForce;
+    Of<Work> elementMass, state, slotForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
     Of<Motion> velocity, inverseMass;
@@ -160,10 +162,9 @@ struct DeviceState {
           nodeSlotStart(data.nodeSlotStart),
           nodeSlots(data.nodeSlots),
           elementMass(converted<Work>(data.elementMass)),
-          stress(6 * std::size_t(data.paddedElements)),
-          hourglass(12 * std::size_t(data.paddedElements)),
+          state(data.stateSize),
           slotForce(3 * std::size_t(data.slotCount)),
-          plasticStrain(std::size_t(data.paddedElements)),
+          plasticStrain(data.strainCount),
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
           inverseMass(inverses(data.nodeMass)),
@@ -208,13 +209,13 @@ struct DeviceState {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
             + slotNode.bytes() + slotCornerStart.bytes() + nodeSlotStart.bytes() + nodeSlots.bytes()
-            + elementMass.bytes() + stress.bytes() + hourglass.bytes() + slotForce.bytes()
-            + plasticStrain.bytes() + position.bytes() + velocity.bytes() + inverseMass.bytes()
-            + fixed.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
-            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes()
-            + searchPosition.bytes() + contactNodes.bytes() + contactLimit.bytes()
-            + contactTravel.bytes() + contactInverseMass.bytes() + blockEnergy.bytes()
-            + conditionOf.bytes() + conditions.bytes() + amplitudeRows.bytes();
+            + elementMass.bytes() + state.bytes() + slotForce.bytes() + plasticStrain.bytes()
+            + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
+            + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
+            + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
+            + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
+            + contactInverseMass.bytes() + blockEnergy.bytes() + conditionOf.bytes()
+            + conditions.bytes() + amplitudeRows.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

@@ -162,19 +162,23 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::elementPasses()
 {
     for (std::size_t group = 0; group < data_.groups.size(); ++group) {
+        const bool general = data_.groups[group].general;
         const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
         switch (data_.groups[group].hourglass) {
         case HourglassForm::stiffness:
-            plastic ? elementPass<J2Plasticity, StiffnessHourglass>(group)
-                    : elementPass<Elastic, StiffnessHourglass>(group);
+            general   ? elementPass<GeneralPlasticity, StiffnessHourglass>(group)
+            : plastic ? elementPass<J2Plasticity, StiffnessHourglass>(group)
+                      : elementPass<Elastic, StiffnessHourglass>(group);
             break;
         case HourglassForm::viscous:
-            plastic ? elementPass<J2Plasticity, ViscousHourglass>(group)
-                    : elementPass<Elastic, ViscousHourglass>(group);
+            general   ? elementPass<GeneralPlasticity, ViscousHourglass>(group)
+            : plastic ? elementPass<J2Plasticity, ViscousHourglass>(group)
+                      : elementPass<Elastic, ViscousHourglass>(group);
             break;
         case HourglassForm::physical:
-            plastic ? elementPass<J2Plasticity, PhysicalHourglass>(group)
-                    : elementPass<Elastic, PhysicalHourglass>(group);
+            general   ? elementPass<GeneralPlasticity, PhysicalHourglass>(group)
+            : plastic ? elementPass<J2Plasticity, PhysicalHourglass>(group)
+                      : elementPass<Elastic, PhysicalHourglass>(group);
             break;
         }
     }
@@ -196,9 +200,8 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .velocity = state_.velocity.data(),
         .nodeStride = std::size_t(data_.nodeCount),
         .mass = state_.elementMass.data(),
-        .stress = state_.stress.data(),
+        .state = state_.state.data(),
         .plasticStrain = state_.plasticStrain.data(),
-        .hourglass = state_.hourglass.data(),
         .slotForce = state_.slotForce.data(),
         .slotStride = std::size_t(data_.slotCount),
         .patchEnergy = state_.patchEnergy.data(),

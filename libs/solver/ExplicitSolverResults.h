@@ -99,16 +99,22 @@ template <class Precision, class Executor>
 ElementValues ExplicitSolver<Precision, Executor>::elementValues()
 {
     executor_.synchronize();
-    const auto stress = state_.stress.toHost();
+    const auto state = state_.state.toHost();
     const auto strain = state_.plasticStrain.toHost();
     ElementValues out;
     for (Index element = 0; element < data_.elementCount; ++element) {
-        const std::size_t tile = data_.tileOf(element),
-                          place = std::size_t(data_.elementPlace[std::size_t(element)]);
-        const std::size_t stride = std::size_t(data_.elementStride[std::size_t(element)]);
+        const ElementPlace place = data_.placeOf(element);
+        const StateLayout& layout = data_.layouts[place.part];
+        // Mean over the integration points.
+        const auto mean = [&](const auto& values, std::size_t first, int step, int count) {
+            double sum = 0;
+            for (int point = 0; point < count; ++point)
+                sum += double(values[first + std::size_t(step * point) * place.stride]);
+            return count > 0 ? sum / count : 0.0;
+        };
         for (std::size_t k = 0; k < 6; ++k)
-            out.stress.push_back(double(stress[6 * tile + k * stride + place]));
-        out.plasticStrain.push_back(double(strain[tile + place]));
+            out.stress.push_back(mean(state, place.state + k * place.stride, 6, layout.points));
+        out.plasticStrain.push_back(mean(strain, place.strains, 1, layout.strains()));
     }
     return out;
 }
@@ -120,17 +126,15 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
     std::uint64_t hash = hashStart;
     for (const auto& x : state_.position.toHost()) hash = hashed(hash, double(x));
     for (const auto v : state_.velocity.toHost()) hash = hashed(hash, v);
-    const auto stress = state_.stress.toHost(), hourglass = state_.hourglass.toHost();
+    const auto state = state_.state.toHost();
     const auto strain = state_.plasticStrain.toHost();
     for (Index element = 0; element < data_.elementCount; ++element) {
-        const std::size_t tile = data_.tileOf(element),
-                          place = std::size_t(data_.elementPlace[std::size_t(element)]);
-        const std::size_t stride = std::size_t(data_.elementStride[std::size_t(element)]);
-        for (std::size_t k = 0; k < 6; ++k)
-            hash = hashed(hash, stress[6 * tile + k * stride + place]);
-        for (std::size_t k = 0; k < 12; ++k)
-            hash = hashed(hash, hourglass[12 * tile + k * stride + place]);
-        hash = hashed(hash, strain[tile + place]);
+        const ElementPlace place = data_.placeOf(element);
+        const StateLayout& layout = data_.layouts[place.part];
+        for (std::size_t k = 0; k < std::size_t(layout.size()); ++k)
+            hash = hashed(hash, state[place.state + k * place.stride]);
+        for (std::size_t k = 0; k < std::size_t(layout.strains()); ++k)
+            hash = hashed(hash, strain[place.strains + k * place.stride]);
     }
     for (const auto& pair : state_.pairs)
         for (const auto f : pair.friction.toHost()) hash = hashed(hash, f);

@@ -105,15 +105,18 @@ namespace {
 
 void reportKernels(const Solver& solver, const Model& model, Log& log)
 {
-    bool elastic = false, plastic = false;
+    bool elastic = false, plastic = false, general = false;
     for (const KernelGroup& group : solver.data().groups)
-        (group.kind == PartKind::elastoplastic ? plastic : elastic) = true;
+        (group.general                           ? general
+         : group.kind == PartKind::elastoplastic ? plastic
+                                                 : elastic) = true;
     const auto used = [&](bool here, const std::string& name) {
         log.line((here ? "  needed    " : "  left out  ") + name);
     };
     log.line("kernels of this scene:");
     used(elastic, "elastic hexahedra");
     used(plastic, "elastoplastic hexahedra (radial return)");
+    used(general, "hexahedra with options chosen at run time (rotation)");
     for (const auto& [form, name] : {std::pair{HourglassForm::stiffness, "stiffness"},
                                      std::pair{HourglassForm::viscous, "viscous"},
                                      std::pair{HourglassForm::physical, "physical"}}) {

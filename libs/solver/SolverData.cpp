@@ -41,10 +41,28 @@ MaterialConstants<double> materialConstants(const Part& part)
         } else // the last slope continues
             m.slope[row] = row > 0 ? m.slope[row - 1] : 0;
     }
+    m.general.rotation = RotationRule(int(part.rotation));
     return m;
 }
 
+bool needsGeneralPlasticity(const Part& part)
+{
+    return part.rotation != RotationForm::midSurface;
+}
+
 namespace {
+
+static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
+              && int(RotationForm::polar) == int(RotationRule::polar)
+              && int(RotationForm::hughesWinget) == int(RotationRule::hughesWinget));
+
+/// What the elements of a part keep from step to step, as the kernel of its group has it.
+StateLayout stateLayout(const Part& part)
+{
+    if (part.kind == PartKind::rigid) return {0, 0, false};
+    return {1, part.hourglass == HourglassForm::viscous ? 0 : 12,
+            part.kind == PartKind::elastoplastic};
+}
 
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
 {
@@ -57,7 +75,8 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
         data.slotCorners.push_back(std::uint16_t((entry & 7) * patchCapacity + (entry >> 3)));
     data.elementTile.resize(std::size_t(data.elementCount));
     data.elementPlace.resize(std::size_t(data.elementCount));
-    data.elementStride.resize(std::size_t(data.elementCount));
+    data.elementPatch.resize(std::size_t(data.elementCount));
+    for (const Part& part : model.parts) data.layouts.push_back(stateLayout(part));
     for (Index element = 0; element < data.elementCount; ++element)
         if (!(volume(model.mesh, element) > 0))
             throw Error(ExitCode::mesh, format("element {} has no positive volume", element),
@@ -65,8 +84,11 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     Index tile = 0;
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + 15) / 16 * 16;
-        data.patches.push_back(
-            {patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount, patch.part});
+        data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
+                                patch.part, data.stateSize, data.strainCount});
+        const StateLayout& layout = data.layouts[std::size_t(patch.part)];
+        data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
+        data.strainCount += std::size_t(layout.strains()) * std::size_t(stride);
         data.maxPatchNodes = std::max(data.maxPatchNodes, std::size_t(patch.nodeCount));
         data.corners.resize(8 * std::size_t(tile + stride));
         data.elementMass.resize(std::size_t(tile + stride));
@@ -81,7 +103,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
             if (e >= patch.elementCount) continue;
             data.elementTile[std::size_t(element)] = std::size_t(tile);
             data.elementPlace[std::size_t(element)] = e;
-            data.elementStride[std::size_t(element)] = stride;
+            data.elementPatch[std::size_t(element)] = Index(data.patches.size()) - 1;
         }
         tile += stride;
     }
@@ -96,12 +118,14 @@ void addGroups(SolverData& data, const Model& model)
             data.rigidParts = true;
             continue;
         }
+        const bool general = needsGeneralPlasticity(part);
         const auto same = [&](const KernelGroup& group) {
-            return group.kind == part.kind && group.hourglass == part.hourglass;
+            return group.general == general && (general || group.kind == part.kind)
+                   && group.hourglass == part.hourglass;
         };
         auto group = std::find_if(data.groups.begin(), data.groups.end(), same);
         if (group == data.groups.end())
-            group = data.groups.insert(group, {part.kind, part.hourglass, {}});
+            group = data.groups.insert(group, {part.kind, general, part.hourglass, {}});
         group->patches.push_back(Index(i));
     }
 }

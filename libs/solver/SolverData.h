@@ -11,6 +11,7 @@ namespace fpm {
 /// Patches that share a kernel: same material law and hourglass form.
 struct KernelGroup {
     PartKind kind;
+    bool general; ///< GeneralPlasticity, whatever the kind
     HourglassForm hourglass;
     std::vector<Index> patches;
 };
@@ -29,6 +30,12 @@ struct PairData {
     std::vector<Index> target, targetFaceStart, targetFaces;
 };
 
+/// Where the state of one element lies: first value of it and of its plastic strains; further
+/// values follow `stride` apart.
+struct ElementPlace {
+    std::size_t part, state, strains, stride;
+};
+
 /// Everything the solver uploads, in double and in the layout of the kernels.
 struct SolverData {
     Index nodeCount = 0, elementCount = 0, paddedElements = 0, slotCount = 0;
@@ -36,8 +43,10 @@ struct SolverData {
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
     std::vector<MaterialConstants<double>> materials;
-    std::vector<std::uint16_t> corners;     ///< tiles of 8
-    std::vector<std::uint16_t> slotCorners; ///< corner * 256 + element
+    std::vector<StateLayout> layouts;           ///< of each part
+    std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
+    std::vector<std::uint16_t> corners;         ///< tiles of 8
+    std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
     std::vector<double> elementMass; ///< tiles of 1
     std::vector<double> nodeMass;
@@ -56,8 +65,15 @@ struct SolverData {
 
     /// Position of element e (mesh order) in tiles: tile and place.
     std::size_t tileOf(Index element) const { return elementTile[std::size_t(element)]; }
+    ElementPlace placeOf(Index element) const
+    {
+        const PatchHeader& patch = patches[std::size_t(elementPatch[std::size_t(element)])];
+        const std::size_t e = std::size_t(elementPlace[std::size_t(element)]);
+        return {std::size_t(patch.material), patch.state + e, patch.strains + e,
+                std::size_t(patch.stride)};
+    }
     std::vector<std::size_t> elementTile; ///< tile start of the element's patch
-    std::vector<Index> elementPlace, elementStride;
+    std::vector<Index> elementPlace, elementPatch;
 };
 
 /// Builds the data of a validated model. Throws Error(mesh) for a node without mass.
@@ -66,5 +82,7 @@ SolverData makeSolverData(const Model& model);
 void addContact(SolverData& data, const Model& model);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
+/// Whether a part asks for something that only GeneralPlasticity does.
+bool needsGeneralPlasticity(const Part& part);
 
 } // namespace fpm

@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/element/Hexahedron.h"
+#include "kernels/element/StateLayout.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
 
@@ -15,6 +16,7 @@ struct PatchHeader {
     Index tile; ///< padded elements in all patches before
     Index firstSlot, nodeCount;
     Index material;
+    std::size_t state, strains; ///< where the state of the patch begins (StateLayout)
 };
 
 inline constexpr Index patchCapacity = 256;
@@ -50,9 +52,8 @@ struct ElementPass {
     const Motion* velocity;
     std::size_t nodeStride;
     const Work* mass;   ///< tiles of 1
-    Work* stress;       ///< tiles of 6
-    Sum* plasticStrain; ///< tiles of 1
-    Work* hourglass;    ///< tiles of 12
+    Work* state;        ///< tiles of the part's StateLayout
+    Sum* plasticStrain; ///< likewise
     Work* slotForce;    ///< three planes, slotStride apart
     std::size_t slotStride;
     double* patchEnergy; ///< [patch][elementEnergies], running sums
@@ -90,6 +91,11 @@ struct ElementPass {
                 *step = blockMinimumResult(partial + k * blockSumLanes);
         });
         team.barrier();
+    }
+
+    FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
+    {
+        return {1, Hourglass::stateSize, Material::plastic && (!Material::general || m.rows > 0)};
     }
 
 private:
@@ -131,11 +137,11 @@ private:
             Modes<T> x, w;
             loadModes(nodes, corners + 8 * tile + e, stride, x);
             loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
-            ElementState<T> state;
-            loadState(state, tile, stride, e);
+            ElementState<T> element;
+            loadState(m, element, patch, e);
             const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
-                m, x, w, load<T>(mass + tile + e), rate, strainPoint, state);
-            storeState(state, step, tile, stride, e);
+                m, x, w, load<T>(mass + tile + e), rate, strainPoint, element);
+            storeState(m, element, step, patch, e);
             storeForces(w, forces + e);
             store(sums + e, step.internal);
             store(sums + patchCapacity + e, step.plastic);
@@ -160,48 +166,54 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL void loadState(ElementState<T>& state, std::size_t tile, Index stride, Index e) const
+    FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
+                              ElementState<T>& to,
+                              const PatchHeader& patch,
+                              Index e) const
     {
-        const Work* s = stress + 6 * tile + e;
-        state.stress = {load<T>(s),
-                        load<T>(s + stride),
-                        load<T>(s + 2 * stride),
-                        load<T>(s + 3 * stride),
-                        load<T>(s + 4 * stride),
-                        load<T>(s + 5 * stride)};
-        if constexpr (Material::plastic)
-            state.equivalentPlasticStrain = load<T>(plasticStrain + tile + e);
+        const Index stride = patch.stride;
+        const StateLayout layout = layoutOf(m);
+        const Work* s = state + patch.state + e;
+        to.stress = {load<T>(s),
+                     load<T>(s + stride),
+                     load<T>(s + 2 * stride),
+                     load<T>(s + 3 * stride),
+                     load<T>(s + 4 * stride),
+                     load<T>(s + 5 * stride)};
+        to.equivalentPlasticStrain =
+            layout.plastic ? load<T>(plasticStrain + patch.strains + e) : T(Work(0));
         if constexpr (Hourglass::stateSize > 0) {
-            const Work* q = hourglass + 12 * tile + e;
+            const Work* q = s + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j)
-                state.hourglass[j] = {load<T>(q + 3 * j * stride),
-                                      load<T>(q + (3 * j + 1) * stride),
-                                      load<T>(q + (3 * j + 2) * stride)};
+                to.hourglass[j] = {load<T>(q + 3 * j * stride), load<T>(q + (3 * j + 1) * stride),
+                                   load<T>(q + (3 * j + 2) * stride)};
         }
     }
 
     template <class T>
-    FPM_KERNEL void storeState(const ElementState<T>& state,
+    FPM_KERNEL void storeState(const MaterialConstants<Work>& m,
+                               const ElementState<T>& from,
                                const ElementStep<T>& step,
-                               std::size_t tile,
-                               Index stride,
+                               const PatchHeader& patch,
                                Index e) const
     {
-        Work* s = stress + 6 * tile + e;
-        store(s, state.stress.xx);
-        store(s + stride, state.stress.yy);
-        store(s + 2 * stride, state.stress.zz);
-        store(s + 3 * stride, state.stress.xy);
-        store(s + 4 * stride, state.stress.yz);
-        store(s + 5 * stride, state.stress.zx);
-        if constexpr (Material::plastic)
-            accumulate(plasticStrain + tile + e, step.plasticStrainIncrement);
+        const Index stride = patch.stride;
+        const StateLayout layout = layoutOf(m);
+        Work* s = state + patch.state + e;
+        store(s, from.stress.xx);
+        store(s + stride, from.stress.yy);
+        store(s + 2 * stride, from.stress.zz);
+        store(s + 3 * stride, from.stress.xy);
+        store(s + 4 * stride, from.stress.yz);
+        store(s + 5 * stride, from.stress.zx);
+        if (layout.plastic)
+            accumulate(plasticStrain + patch.strains + e, step.plasticStrainIncrement);
         if constexpr (Hourglass::stateSize > 0) {
-            Work* q = hourglass + 12 * tile + e;
+            Work* q = s + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {
-                store(q + 3 * j * stride, state.hourglass[j].x);
-                store(q + (3 * j + 1) * stride, state.hourglass[j].y);
-                store(q + (3 * j + 2) * stride, state.hourglass[j].z);
+                store(q + 3 * j * stride, from.hourglass[j].x);
+                store(q + (3 * j + 1) * stride, from.hourglass[j].y);
+                store(q + (3 * j + 2) * stride, from.hourglass[j].z);
             }
         }
     }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "kernels/element/Hourglass.h"
-#include "kernels/material/J2Plasticity.h"
+#include "kernels/element/RotationRules.h"
+#include "kernels/material/GeneralPlasticity.h"
 
 #include <type_traits>
 
@@ -39,13 +40,13 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
 {
     using Real = ScalarOf<T>;
     const T one = T(Real(1)), half = T(Real(0.5)), zero = T(Real(0));
-    const Mat3<T> rotation = midSurfaceRotation(x, increment);
 
     // Reverse motion: what is left of the increment when the rotation is taken out.
     Modes<T>& w = increment;
-    for (int k = 1; k < 8; ++k) w.mode[k] = w.mode[k] - rotation * (x.mode[k] - w.mode[k]);
     Modes<T> middle;
-    for (int k = 1; k < 8; ++k) middle.mode[k] = multiplyAdd(T(-strainPoint), w.mode[k], x.mode[k]);
+    const Mat3<T> rotation =
+        removeRotation(Material::general ? m.general.rotation : RotationRule::midSurface,
+                       strainPoint, x, w, middle);
 
     const Gradient<T> strainGradient = meanGradient(middle);
     const T inverseVolume64 = one / strainGradient.volume64;
@@ -73,8 +74,12 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     PlasticStep<T> plastic{zero, zero, zero};
     T share = one; // of the trial hourglass forces that the section can bear
     if constexpr (Material::plastic) {
-        plastic =
-            radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
+        if constexpr (Material::general)
+            plastic =
+                generalReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
+        else
+            plastic =
+                radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
         share = one - T(m.coupledHourglass) * plastic.reduction;
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
             for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];

@@ -4,33 +4,57 @@
 
 namespace fpm {
 
-/// Rotation of the xi-eta middle surface over one step (the paper's fictitious reverse motion, eqs.
-/// 4-5, in its signed, projected form): returns K = R - I, where R takes the start of the step to
-/// its end. `x`: modes at the end; `w`: modes of the displacement increment. Everything is formed
-/// from the increments, never from differences of coordinates: float elements keep their stress.
-/// No trigonometry. The middle surface's normal is x1 x x2, its corners are +-x1 +-x2 +-x4.
+/// a b^T - (a . b) I + [s]x: with b = s and a = s / (1 + cos) the rotation, less I, about s, whose
+/// length is the sine of its angle.
 template <class T>
-FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
+FPM_KERNEL Mat3<T> turnMatrix(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& s)
+{
+    return {{-fusedMultiplyAdd(a.y, b.y, a.z * b.z), fusedMultiplyAdd(a.x, b.y, -s.z),
+             fusedMultiplyAdd(a.x, b.z, s.y)},
+            {fusedMultiplyAdd(a.x, b.y, s.z), -fusedMultiplyAdd(a.x, b.x, a.z * b.z),
+             fusedMultiplyAdd(a.y, b.z, -s.x)},
+            {fusedMultiplyAdd(a.x, b.z, -s.y), fusedMultiplyAdd(a.y, b.z, s.x),
+             -fusedMultiplyAdd(a.x, b.x, a.y * b.y)}};
+}
+
+/// Out-of-plane part of the middle surface's motion.
+template <class T>
+struct SurfaceTilt {
+    Mat3<T> tilt;   ///< R - I about n x dn: takes the old normal to the new one
+    Vec3<T> normal; ///< unit, at the end of the step
+};
+
+/// `x`: modes at the end; `w`: modes of the displacement increment. The middle surface's normal is
+/// x1 x x2. With `arcsine` the angle is the paper's arcsin of eq. (4), at most a right angle.
+template <bool arcsine = false, class T>
+FPM_KERNEL SurfaceTilt<T> surfaceTilt(const Modes<T>& x, const Modes<T>& w)
 {
     const Vec3<T>*a = x.mode, *d = w.mode;
     const T one = T(ScalarOf<T>(1));
-
-    // Out of plane: the rotation about n x dn that takes the old normal to the new one.
-    Vec3<T> n = cross(a[1], a[2]);
+    const Vec3<T> n = cross(a[1], a[2]);
     const Vec3<T> dn = cross(d[1], a[2]) + cross(a[1], d[2]) - cross(d[1], d[2]);
     const Vec3<T> old = n - dn;
     const T inverse = one / squareRoot(dot(n, n));
     const T axisScale = inverse * (one / squareRoot(dot(old, old)));
     const Vec3<T> s = axisScale * cross(n, dn); // old normal x new normal = axis sin(theta)
-    const T cosine = axisScale * dot(n, old);
+    T cosine = axisScale * dot(n, old);
+    if constexpr (arcsine) cosine = select(cosine < -cosine, -cosine, cosine);
     const Vec3<T> k = (one / (one + cosine)) * s;
-    const Mat3<T> tilt{{-fusedMultiplyAdd(k.y, s.y, k.z * s.z), fusedMultiplyAdd(k.x, s.y, -s.z),
-                        fusedMultiplyAdd(k.x, s.z, s.y)},
-                       {fusedMultiplyAdd(k.x, s.y, s.z), -fusedMultiplyAdd(k.x, s.x, k.z * s.z),
-                        fusedMultiplyAdd(k.y, s.z, -s.x)},
-                       {fusedMultiplyAdd(k.x, s.z, -s.y), fusedMultiplyAdd(k.y, s.z, s.x),
-                        -fusedMultiplyAdd(k.x, s.x, k.y * s.y)}};
-    n = inverse * n;
+    return {turnMatrix(k, s, s), inverse * n};
+}
+
+/// Rotation of the xi-eta middle surface over one step (the paper's fictitious reverse motion, eqs.
+/// 4-5, in its signed, projected form): returns K = R - I, where R takes the start of the step to
+/// its end. Everything is formed from the increments, never from differences of coordinates: float
+/// elements keep their stress. No trigonometry. The surface's corners are +-x1 +-x2 +-x4.
+template <class T>
+FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
+{
+    const Vec3<T>*a = x.mode, *d = w.mode;
+    const T one = T(ScalarOf<T>(1));
+    const SurfaceTilt<T> surface = surfaceTilt(x, w);
+    const Mat3<T>& tilt = surface.tilt;
+    const Vec3<T>& n = surface.normal;
 
     // In plane: least-squares angle between the tilted old corner vectors and the new ones.
     T sine = T(ScalarOf<T>(0)), cosineSum = T(ScalarOf<T>(0));
@@ -46,13 +70,7 @@ FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
     const T scale = one / squareRoot(fusedMultiplyAdd(sine, sine, cosineSum * cosineSum));
     sine = sine * scale;
     const T versine = sine * sine / (one + cosineSum * scale);
-    const Vec3<T> v = versine * n, sn = sine * n;
-    const Mat3<T> turn{{-fusedMultiplyAdd(v.y, n.y, v.z * n.z), fusedMultiplyAdd(v.x, n.y, -sn.z),
-                        fusedMultiplyAdd(v.x, n.z, sn.y)},
-                       {fusedMultiplyAdd(v.x, n.y, sn.z), -fusedMultiplyAdd(v.x, n.x, v.z * n.z),
-                        fusedMultiplyAdd(v.y, n.z, -sn.x)},
-                       {fusedMultiplyAdd(v.x, n.z, -sn.y), fusedMultiplyAdd(v.y, n.z, sn.x),
-                        -fusedMultiplyAdd(v.x, n.x, v.y * n.y)}};
+    const Mat3<T> turn = turnMatrix(versine * n, n, sine * n);
     return tilt + turn + turn * tilt;
 }
 

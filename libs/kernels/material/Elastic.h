@@ -31,6 +31,7 @@ elasticStress(const MaterialConstants<ScalarOf<T>>& m, const Sym3<T>& stress, co
 
 struct Elastic {
     static constexpr bool plastic = false;
+    static constexpr bool general = false;
 };
 
 } // namespace fpm

@@ -7,6 +7,7 @@ namespace fpm {
 /// J2 flow with tabulated isotropic hardening sigma_y(ebar), piecewise linear.
 struct J2Plasticity {
     static constexpr bool plastic = true;
+    static constexpr bool general = false;
 };
 
 /// Radial return: takes the elastic trial stress to the yield surface sqrt(3 J2) = sigma_y(ebar)

@@ -158,3 +158,15 @@ TEST(PartReader, SeesWhichPartsAreRigidWithoutTheirMaterials)
 
     EXPECT_EQ(rigid, (std::vector<bool>{true, true, false, false}));
 }
+
+TEST(PartReader, ReadsTheRotationAlsoOfThePartItIsLike)
+{
+    EXPECT_EQ(readOne(elastic).rotation, RotationForm::midSurface);
+    EXPECT_EQ(readOne(elastic + "rotation arcsin;").rotation, RotationForm::arcsine);
+    EXPECT_EQ(readOne(elastic + "rotation polar;").rotation, RotationForm::polar);
+    const auto parts = readParts(
+        Dictionary::parse("parts { a { " + elastic + " rotation hughesWinget; } b { like a; } }"),
+        meshOf({"a", "b"}));
+    EXPECT_EQ(parts[1].rotation, RotationForm::hughesWinget);
+    EXPECT_TRUE(contains(refusalOf(elastic + "rotation jaumann;"), "hughesWinget"));
+}
