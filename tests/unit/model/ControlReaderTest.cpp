@@ -26,7 +26,7 @@ std::vector<History> readFunctions(const std::string& text, Log log = Log::quiet
     weight.name = "weight";
     weight.kind = BoundaryCondition::Kind::force;
     return readHistories(Dictionary::parse("functions { " + text + " }"),
-                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, log);
+                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, {Part{}}, log);
 }
 
 } // namespace

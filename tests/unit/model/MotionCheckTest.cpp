@@ -70,19 +70,20 @@ TEST(MotionCheck, RefusesTwoDriversOfDifferentValueOrAmplitude)
 
 TEST(MotionCheck, AcceptsARigidPartThatIsPrescribedThroughout)
 {
-    EXPECT_NO_THROW(check("die { type velocity; part block; value (0 0 5); }", PartKind::rigid));
+    EXPECT_NO_THROW(
+        check("die { type velocity; part block; value (0 0 5); }", PartKind::rigidPrescribed));
 }
 
 TEST(MotionCheck, RefusesARigidPartThatIsFreeSomewhere)
 {
     const std::string text = refusal([] {
         check("die { type velocity; part block; value (0 0 5); components (x z); }",
-              PartKind::rigid);
+              PartKind::rigidPrescribed);
     });
 
-    EXPECT_TRUE(contains(text, "part 'block' is rigid, but component y of its node 0 at (0 0 0) is "
+    EXPECT_TRUE(contains(text, "part 'block' is rigidPrescribed, but component y of its node 0 at (0 0 0) is "
                                "neither held nor driven"));
-    EXPECT_TRUE(contains(text, "a rigid part moves only as prescribed"));
+    EXPECT_TRUE(contains(text, "it moves only as prescribed"));
 }
 
 TEST(MotionCheck, RefusesARigidPartThatWouldChangeItsShape)
@@ -90,9 +91,9 @@ TEST(MotionCheck, RefusesARigidPartThatWouldChangeItsShape)
     EXPECT_TRUE(contains(refusal([] {
                              check("top { type velocity; set block.zMax; value (0 0 5); }"
                                    "bottom { type fixed; set block.zMin; }",
-                                   PartKind::rigid);
+                                   PartKind::rigidPrescribed);
                          }),
-                         "its nodes are moved differently in z by 'bottom' and 'top'"));
+                         "its nodes are moved differently in component z by 'bottom' and 'top'"));
 }
 
 TEST(MotionCheck, TellsWhereAnInitialVelocityHasNoEffect)

@@ -81,7 +81,7 @@ TEST(PartReader, ChoosesTheHourglassCoefficientByForm)
 
 TEST(PartReader, NeedsNothingButTheModelOfARigidPart)
 {
-    EXPECT_EQ(readOne("model rigid;").kind, PartKind::rigid);
+    EXPECT_EQ(readOne("model rigidPrescribed;").kind, PartKind::rigidPrescribed);
 }
 
 TEST(PartReader, RefusesAnEntryWithoutPart)
@@ -119,7 +119,8 @@ TEST(PartReader, RefusesPhysicsOutOfRange)
 
 TEST(PartReader, RefusesPlasticityInARigidPart)
 {
-    EXPECT_TRUE(contains(refusalOf("model rigid; yieldStress 5;"), "no meaning for model rigid"));
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"),
+                         "no meaning for model rigidPrescribed"));
 }
 
 TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
@@ -153,7 +154,8 @@ TEST(PartReader, RefusesPartsLikeOneAnotherInACircle)
 TEST(PartReader, SeesWhichPartsAreRigidWithoutTheirMaterials)
 {
     const auto rigid = readRigidParts(
-        Dictionary::parse("parts { a { model rigid; } b { like a; } c { model elastic; } }"),
+        Dictionary::parse(
+            "parts { a { model rigidPrescribed; } b { like a; } c { model elastic; } }"),
         meshOf({"a", "b", "c", "d"}));
 
     EXPECT_EQ(rigid, (std::vector<bool>{true, true, false, false}));
