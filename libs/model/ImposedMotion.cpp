@@ -112,7 +112,7 @@ private:
 
     void clash(Index earlier, Index later, Index node, const Point& direction, bool oblique)
     {
-        if (earlier > later) std::swap(earlier, later);
+        if (!oblique && earlier > later) std::swap(earlier, later);
         for (ImposedMotion::Clash& known : out_.clashes)
             if (known.later == later) {
                 known.nodes += known.node != node;
@@ -129,7 +129,8 @@ private:
             for (const Imposed& one : imposed)
                 if (driven != holds(conditions_[std::size_t(one.condition)], one.direction)) {
                     if (driven && crosses(span, one.direction))
-                        clash(imposed.front().condition, one.condition, node, one.direction, true);
+                        clash(leaningOn(imposed, one.direction), one.condition, node, one.direction,
+                              true);
                     span.add(one.direction);
                 }
         span.complete();
@@ -143,6 +144,16 @@ private:
                     continue;
                 own(node, axes, one, driven);
             }
+    }
+
+    /// The first condition that imposes a direction neither along nor across `direction`.
+    static Index leaningOn(const std::vector<Imposed>& imposed, const Point& direction)
+    {
+        for (const Imposed& one : imposed)
+            if (const double share = std::abs(dot(one.direction, direction));
+                share > sameDirection && share < 1 - sameDirection)
+                return one.condition;
+        return imposed.front().condition;
     }
 
     static bool crosses(const Span& span, const Point& direction)

@@ -59,7 +59,10 @@ BodyMotionValues ExplicitSolver<Precision, Executor>::bodyMotion(std::size_t num
             point(body.contact.force + body.outer.force),
             point(body.contact.moment + body.outer.moment),
             point(momentum),
-            0.5 * (body.mass * dot(velocity, velocity) + dot(momentum, spin))};
+            0.5 * (body.mass * dot(velocity, velocity) + dot(momentum, spin)),
+            0.5
+                * (body.mass * dot(body.velocity, body.velocity)
+                   + dot(body.momentum, spinOf(body, body.momentum)))};
 }
 
 } // namespace fpm

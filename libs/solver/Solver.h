@@ -37,7 +37,7 @@ struct BodyMotionValues {
     Point localSpin;                    ///< in axes that turn with the body, global at the start
     Point force, moment;                ///< of contact and loads, about the centre
     Point momentum;                     ///< angular, about the centre
-    double kinetic = 0;
+    double kinetic = 0, halfStepKinetic = 0; ///< the latter at v^(n-1/2)
 };
 
 /// Seconds spent; on a GPU only the total is known without disturbing the run.

@@ -172,3 +172,26 @@ TEST(PartReader, ReadsTheRotationAlsoOfThePartItIsLike)
     EXPECT_EQ(parts[1].rotation, RotationForm::hughesWinget);
     EXPECT_TRUE(contains(refusalOf(elastic + "rotation jaumann;"), "hughesWinget"));
 }
+
+TEST(PartReader, ReadsARigidFreePart)
+{
+    EXPECT_EQ(readOne("model rigidFree; density 2;").kind, PartKind::rigidFree);
+    const Part part =
+        readOne("model rigidFree; mass 3; centre (1 2 3); inertia (3 4 5 0.1 0.2 0.3);");
+    EXPECT_EQ(part.inertia.mass, 3);
+    EXPECT_EQ(part.inertia.centre, (Point{1, 2, 3}));
+    EXPECT_EQ(part.inertia.inertia[5], 0.3);
+}
+
+TEST(PartReader, RefusesARigidFreePartThatNoBodyCouldBe)
+{
+    EXPECT_TRUE(contains(refusalOf("model rigidFree;"), "is rigidFree, but its mass is not known"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1 3 0 0 0);"),
+                         "no body has this inertia"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1 1 2 0 0);"),
+                         "no body has this inertia"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1);"),
+                         "'inertia' has 2 values, not 6"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; density 1; centre (0 0 0);"),
+                         "'centre' is given without 'inertia'"));
+}
