@@ -14,6 +14,7 @@ Control readControl(const Dictionary& dictionary, Log& log);
 std::vector<History> readHistories(const Dictionary& dictionary,
                                    const Mesh& mesh,
                                    const std::vector<BoundaryCondition>& conditions,
+                                   const std::vector<Part>& parts,
                                    Log& log);
 
 } // namespace fpm

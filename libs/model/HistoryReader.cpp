@@ -86,9 +86,9 @@ void readReaction(const Dictionary& entry,
     for (const BoundaryCondition& condition : conditions) {
         names.push_back(condition.name);
         if (condition.name != name) continue;
-        if (condition.kind == BoundaryCondition::Kind::force)
+        if (condition.isLoad())
             entry.fail("condition",
-                       "'" + name + "' is a force; only what is held or driven has a reaction");
+                       "'" + name + "' is a load; only what is held or driven has a reaction");
         history.nodes = condition.nodes;
         return;
     }
@@ -96,11 +96,25 @@ void readReaction(const Dictionary& entry,
                nameAdvice(name, names, "conditions in constant/boundaryConditions"));
 }
 
+void readBody(const Dictionary& entry,
+              const Mesh& mesh,
+              const std::vector<Part>& parts,
+              History& history)
+{
+    nodesOfNamedPart(entry, mesh); // refuses an unknown part
+    const std::string name = entry.word("part");
+    history.part = mesh.findPart(name);
+    if (parts[std::size_t(history.part)].kind != PartKind::rigidFree)
+        entry.fail("part", "part '" + name + "' is not rigidFree",
+                   "a reaction or a point tells how other parts move");
+}
+
 } // namespace
 
 std::vector<History> readHistories(const Dictionary& dictionary,
                                    const Mesh& mesh,
                                    const std::vector<BoundaryCondition>& conditions,
+                                   const std::vector<Part>& parts,
                                    Log& log)
 {
     std::vector<History> histories;
@@ -114,7 +128,7 @@ std::vector<History> readHistories(const Dictionary& dictionary,
         History history;
         history.name = name;
         const std::string type =
-            entry.choice("type", {"energies", "contactForces", "point", "reaction"});
+            entry.choice("type", {"energies", "contactForces", "point", "reaction", "rigidBody"});
         if (type == "contactForces") history.kind = History::Kind::contactForces;
         if (type == "point") {
             history.kind = History::Kind::point;
@@ -122,6 +136,9 @@ std::vector<History> readHistories(const Dictionary& dictionary,
         } else if (type == "reaction") {
             history.kind = History::Kind::reaction;
             readReaction(entry, conditions, history);
+        } else if (type == "rigidBody") {
+            history.kind = History::Kind::rigidBody;
+            readBody(entry, mesh, parts, history);
         }
         histories.push_back(history);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/Mesh.h"
+#include "model/BoundaryCondition.h"
 
 #include <array>
 #include <limits>
@@ -9,7 +10,12 @@
 
 namespace fpm {
 
-enum class PartKind { elastic, elastoplastic, rigid };
+enum class PartKind { elastic, elastoplastic, rigidPrescribed, rigidFree };
+/// No elements are worked: the part moves as a whole.
+constexpr bool isRigid(PartKind kind)
+{
+    return kind == PartKind::rigidPrescribed || kind == PartKind::rigidFree;
+}
 /// How the rigid rotation of a step is taken out of an element.
 enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
 enum class HourglassForm { stiffness, viscous, physical };
@@ -18,6 +24,14 @@ enum class HourglassPlastic { elastic, coupled }; ///< physical form when the se
 struct Hardening {
     double equivalentPlasticStrain; ///< [-], ascending, first 0
     double yieldStress;             ///< [stress], last slope continues
+};
+
+/// Mass properties of a rigidFree part where they are given, not taken from mesh and density.
+struct GivenInertia {
+    double mass = 0; ///< 0: from the mesh
+    bool hasCentre = false, hasInertia = false;
+    Point centre{0, 0, 0};
+    std::array<double, 6> inertia{}; ///< about the centre: xx yy zz xy yz zx, xy = -sum m x y
 };
 
 /// constant/partProperties, one part.
@@ -32,34 +46,8 @@ struct Part {
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;
+    GivenInertia inertia; ///< rigidFree
     double linearBulkViscosity = 0.06, quadraticBulkViscosity = 1.2;
-};
-
-/// A factor over time: constant 1, a table (linear between rows, held outside), or a smooth step
-/// tau^3 (10 - 15 tau + 6 tau^2) from row to row (method of Abaqus' smooth amplitude).
-struct Amplitude {
-    enum class Kind { constant, table, smooth } kind = Kind::constant;
-    std::vector<std::array<double, 2>> rows{{0.0, 1.0}}; ///< time, factor
-    double operator()(double time) const;
-    bool operator==(const Amplitude&) const = default;
-};
-
-/// constant/boundaryConditions, one entry, its set resolved to nodes.
-struct BoundaryCondition {
-    enum class Kind { fixed, displacement, velocity, force } kind = Kind::fixed;
-    std::string name;
-    std::vector<Index> nodes;                            ///< ascending
-    std::array<bool, 3> constrains{false, false, false}; ///< components held or driven
-    /// Displacement, velocity, or total force shared equally by the nodes.
-    Point value{0, 0, 0};
-    Amplitude amplitude;
-};
-
-/// 0/initialConditions, one entry.
-struct InitialVelocity {
-    std::string name;
-    std::vector<Index> nodes;
-    Point velocity;
 };
 
 enum class ContactSearch { faces, closestParticle };
@@ -78,10 +66,11 @@ enum class Precision { double_, mixed, single };
 
 /// A history of the run: controlDict, functions { ... }.
 struct History {
-    enum class Kind { energies, contactForces, point, reaction } kind = Kind::energies;
+    enum class Kind { energies, contactForces, point, reaction, rigidBody } kind = Kind::energies;
     std::string name;         ///< folder under postProcessing
     Index node = -1;          ///< point: nearest node of `part` to `position`
     std::vector<Index> nodes; ///< reaction: constrained nodes of a boundary condition
+    Index part = -1;          ///< rigidBody
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 
@@ -110,7 +99,7 @@ struct Model {
     Mesh mesh;
     std::vector<Part> parts; ///< as mesh.parts
     std::vector<BoundaryCondition> boundaryConditions;
-    std::vector<InitialVelocity> initialVelocities;
+    std::vector<InitialVelocity> initialVelocities; ///< they add up
     std::vector<ContactPair> contactPairs;
     Control control;
 };

@@ -48,10 +48,12 @@ double number(const Lineage& lineage, std::string_view key, const Range& range)
 PartKind readKind(const Lineage& lineage)
 {
     const std::string word =
-        holder(lineage, "model").choice("model", {"elastic", "elastoplastic", "rigid"});
-    return word == "elastic"         ? PartKind::elastic
-           : word == "elastoplastic" ? PartKind::elastoplastic
-                                     : PartKind::rigid;
+        holder(lineage, "model")
+            .choice("model", {"elastic", "elastoplastic", "rigidPrescribed", "rigidFree"});
+    return word == "elastic"           ? PartKind::elastic
+           : word == "elastoplastic"   ? PartKind::elastoplastic
+           : word == "rigidPrescribed" ? PartKind::rigidPrescribed
+                                       : PartKind::rigidFree;
 }
 
 std::vector<Hardening> readTable(const Dictionary& entry)
@@ -129,12 +131,77 @@ RotationForm readRotation(const Lineage& lineage)
 }
 
 /// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
-void refusePlasticity(const Dictionary& own)
+void refusePlasticity(const Dictionary& own, PartKind kind)
 {
     for (const char* key : {"yieldStress", "plasticModulus", "hardening"})
         if (own.has(key))
-            own.fail(key, format("'{}' has no meaning for model rigid", key),
+            own.fail(key,
+                     format("'{}' has no meaning for model {}", key,
+                            kind == PartKind::rigidFree ? "rigidFree" : "rigidPrescribed"),
                      "use model elastoplastic, or remove it");
+}
+
+/// Leading minors of a symmetric matrix xx yy zz xy yz zx.
+bool isPositive(const std::array<double, 6>& m)
+{
+    const double second = m[0] * m[1] - m[3] * m[3];
+    const double third =
+        m[2] * second - m[4] * (m[0] * m[4] - m[3] * m[5]) + m[5] * (m[3] * m[4] - m[1] * m[5]);
+    return m[0] > 0 && second > 0 && third > 0;
+}
+
+/// Inertia of some body: trace / 2 less the tensor, sum m x x^T, must be positive too.
+std::array<double, 6> readInertia(const Dictionary& entry)
+{
+    const std::vector<double> values = entry.numbers("inertia");
+    if (values.size() != 6)
+        entry.fail("inertia", format("'inertia' has {} values, not 6", values.size()),
+                   "write: inertia (xx yy zz xy yz zx), about the centre");
+    std::array<double, 6> inertia{}, moments{};
+    const double half = (values[0] + values[1] + values[2]) / 2;
+    for (std::size_t i = 0; i < 6; ++i) {
+        inertia[i] = values[i];
+        moments[i] = (i < 3 ? half * (1 + 1e-9) : 0) - values[i];
+    }
+    if (!isPositive(inertia) || !isPositive(moments))
+        entry.fail("inertia", "no body has this inertia",
+                   "principal moments must be > 0, each at most the sum of the others; xy is "
+                   "minus the sum of m x y");
+    return inertia;
+}
+
+void readFreeBody(const Lineage& lineage, Part& part)
+{
+    GivenInertia& given = part.inertia;
+    if (const Dictionary& entry = holder(lineage, "mass"); entry.has("mass"))
+        given.mass = entry.number("mass", positive());
+    if (const Dictionary& entry = holder(lineage, "centre"); entry.has("centre")) {
+        given.hasCentre = true;
+        given.centre = entry.vector("centre");
+    }
+    if (const Dictionary& entry = holder(lineage, "inertia"); entry.has("inertia")) {
+        given.hasInertia = true;
+        given.inertia = readInertia(entry);
+    }
+    if (given.hasCentre && !given.hasInertia)
+        holder(lineage, "centre")
+            .fail("centre", "'centre' is given without 'inertia'",
+                  "the inertia about that centre does not follow from the mesh: give both");
+    if (part.density == 0 && !(given.mass > 0 && given.hasInertia))
+        lineage.front().fail("model",
+                             "part '" + part.name + "' is rigidFree, but its mass is not known",
+                             "add 'density', or 'mass' and 'inertia'");
+}
+
+void readRigid(const Lineage& lineage, Part& part)
+{
+    refusePlasticity(lineage.front(), part.kind);
+    part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
+    part.youngsModulus =
+        holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
+    part.poissonsRatio =
+        holder(lineage, "poissonsRatio").numberOr("poissonsRatio", 0.0, {-1, 0.5, true, true});
+    if (part.kind == PartKind::rigidFree) readFreeBody(lineage, part);
 }
 
 Part readPart(const Dictionary& parts, const std::string& name)
@@ -143,13 +210,8 @@ Part readPart(const Dictionary& parts, const std::string& name)
     Part part;
     part.name = name;
     part.kind = readKind(lineage);
-    if (part.kind == PartKind::rigid) {
-        refusePlasticity(lineage.front());
-        part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
-        part.youngsModulus =
-            holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
-        part.poissonsRatio =
-            holder(lineage, "poissonsRatio").numberOr("poissonsRatio", 0.0, {-1, 0.5, true, true});
+    if (isRigid(part.kind)) {
+        readRigid(lineage, part);
         return part;
     }
     part.density = number(lineage, "density", positive());
@@ -203,8 +265,7 @@ std::vector<bool> readRigidParts(const Dictionary& dictionary, const Mesh& mesh)
     const Dictionary entries = dictionary.sub("parts");
     std::vector<bool> rigid;
     for (const MeshPart& part : mesh.parts)
-        rigid.push_back(entries.has(part.name)
-                        && readKind(lineageOf(entries, part.name)) == PartKind::rigid);
+        rigid.push_back(entries.has(part.name) && isRigid(readKind(lineageOf(entries, part.name))));
     return rigid;
 }
 

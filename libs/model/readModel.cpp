@@ -40,7 +40,7 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
                     "run fpmSetContact");
 
     std::vector<bool> rigid;
-    for (const Part& part : model.parts) rigid.push_back(part.kind == PartKind::rigid);
+    for (const Part& part : model.parts) rigid.push_back(isRigid(part.kind));
     const Dictionary contactDict = theCase.dictionary("system/contactDict");
     for (const PairEntry& entry : readContactEntries(contactDict).pairs) {
         const auto surfaces =
@@ -60,9 +60,10 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
 
 const char* kindName(PartKind kind)
 {
-    return kind == PartKind::elastic         ? "elastic"
-           : kind == PartKind::elastoplastic ? "elastoplastic"
-                                             : "rigid";
+    return kind == PartKind::elastic           ? "elastic"
+           : kind == PartKind::elastoplastic   ? "elastoplastic"
+           : kind == PartKind::rigidPrescribed ? "rigidPrescribed"
+                                               : "rigidFree";
 }
 
 void report(const Model& model, Log& log)
@@ -75,7 +76,7 @@ void report(const Model& model, Log& log)
         const Part& part = model.parts[i];
         std::string line = format("part {}: {}, {} elements", part.name, kindName(part.kind),
                                   model.mesh.parts[i].elementCount);
-        if (part.kind != PartKind::rigid)
+        if (!isRigid(part.kind))
             line +=
                 format(", wave speed {} {}/{}", waveSpeed(part), model.units[0], model.units[2]);
         log.line(line);
@@ -110,7 +111,8 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
     checkMotions(model, boundary, log);
 
     model.control = readControl(control, log);
-    model.control.histories = readHistories(control, model.mesh, model.boundaryConditions, log);
+    model.control.histories =
+        readHistories(control, model.mesh, model.boundaryConditions, model.parts, log);
     control.requireAllUsed();
 
     model.contactPairs = readContactPairs(theCase, model, log);

@@ -21,9 +21,9 @@ double penalty(const Model& model, const ElementSide& side)
     return bulk * a * a / volume(model.mesh, side.element);
 }
 
-bool isRigid(const Model& model, const ElementSide& side)
+bool onRigid(const Model& model, const ElementSide& side)
 {
-    return model.parts[std::size_t(model.mesh.partOf(side.element))].kind == PartKind::rigid;
+    return isRigid(model.parts[std::size_t(model.mesh.partOf(side.element))].kind);
 }
 
 /// Sides of the contactor's surface, from the mesh; the contactor's nodes lie on them.
@@ -126,7 +126,7 @@ PairData makePair(const Model& model, const ContactPair& pair)
         areas += a;
         out.faceThickness.push_back(volume(model.mesh, side.element) / a);
         out.faceStiffness.push_back(pair.normalScale
-                                    * (isRigid(model, side) ? partner : penalty(model, side)));
+                                    * (onRigid(model, side) ? partner : penalty(model, side)));
     }
     out.meanFaceSize = std::sqrt(areas / double(pair.targetSides.size()));
     addNeighbours(out);
@@ -147,12 +147,9 @@ bool movesFreely(const SolverData& data, std::size_t node)
 {
     int imposed = data.fixed[node];
     if (!data.conditionStart.empty())
-        for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k) {
-            const Condition& condition =
-                data.conditions[std::size_t(data.conditionOf[std::size_t(k)])];
-            if (condition.kind != 2) imposed |= condition.components;
-        }
-    return imposed != 7;
+        for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k)
+            if (const int axis = data.uses[std::size_t(k)].axis; axis >= 0) imposed |= 1 << axis;
+    return (imposed & 7) != 7;
 }
 
 double powerOfTwoBelow(double value)

@@ -121,6 +121,40 @@ struct PairState {
     }
 };
 
+/// Rigid bodies in the executor's memory; empty without.
+template <class Executor>
+struct BodyArrays {
+    template <class T>
+    using Of = Array<T, Executor>;
+
+    Of<RigidBody> bodies;
+    Of<Index> bodyOf, nodes, useStart, blockStart, loaded;
+    Of<ConditionUse> uses;
+    Of<BodyBlock> blocks;
+    Of<double> arm, inverseMass, sums;
+
+    explicit BodyArrays(const BodyData& data)
+        : bodies(data.bodies),
+          bodyOf(data.bodyOf),
+          nodes(data.nodes),
+          useStart(data.useStart),
+          blockStart(data.blockStart),
+          loaded(data.loaded),
+          uses(data.uses),
+          blocks(data.blocks),
+          arm(planes<double>(data.arm)),
+          inverseMass(data.inverseMass),
+          sums(bodySums * data.blocks.size())
+    {
+    }
+    std::size_t bytes() const
+    {
+        return bodies.bytes() + bodyOf.bytes() + nodes.bytes() + useStart.bytes()
+               + blockStart.bytes() + loaded.bytes() + uses.bytes() + blocks.bytes() + arm.bytes()
+               + inverseMass.bytes() + sums.bytes();
+    }
+};
+
 /// All arrays of a run in the executor's memory; allocated once.
 template <class Precision, class Executor>
 struct DeviceState {
@@ -141,8 +175,13 @@ struct DeviceState {
     Of<Position> position;
     Of<Motion> velocity, inverseMass;
     Of<std::uint8_t> fixed;
-    Of<Index> conditionStart, conditionOf;
+    Of<Index> conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
+        pressureSlots;
+    Of<ConditionUse> uses;
     Of<Condition> conditions;
+    Of<Motion> pressureForce;
+    Of<double> frames;
+    BodyArrays<Executor> body;
     Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy;
 
     Of<Index> contactNodes, contactNumber;
@@ -170,8 +209,16 @@ struct DeviceState {
           inverseMass(inverses(data.nodeMass)),
           fixed(data.fixed),
           conditionStart(data.conditionStart),
-          conditionOf(data.conditionOf),
+          frameOf(data.frameOf),
+          pressureFaceNode(data.pressureFaceNode),
+          pressureFaceCondition(data.pressureFaceCondition),
+          pressureStart(data.pressureStart),
+          pressureSlots(data.pressureSlots),
+          uses(data.uses),
           conditions(data.conditions),
+          pressureForce(3 * data.pressureFaceNode.size()),
+          frames(data.frames),
+          body(data.body),
           amplitudeRows(data.amplitudeRows),
           patchEnergy(data.patches.size() * elementEnergies),
           patchStep(data.patches.size()),
@@ -181,7 +228,7 @@ struct DeviceState {
           contactNumber(data.contactNumber),
           contactInverseMass(converted<Motion>(data.contactInverseMass)),
           contactSum(4 * data.contactNodes.size()),
-          contactLimit(blocks(Index(data.contactNodes.size()))),
+          contactLimit(blocks(Index(data.contactNodes.size())) + data.body.bodies.size()),
           contactTravel(2 * blocks(Index(data.contactNodes.size()))),
           searchPosition(3 * data.contactNodes.size()),
           clock(std::vector<StepClock>(1))
@@ -214,7 +261,9 @@ struct DeviceState {
             + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
             + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
             + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
-            + contactInverseMass.bytes() + blockEnergy.bytes() + conditionOf.bytes()
+            + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
+            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
+            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
             + conditions.bytes() + amplitudeRows.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();

@@ -4,7 +4,9 @@
 #include "kernels/contact/ContactForce.h"
 #include "kernels/contact/Travel.h"
 #include "kernels/element/ElementPass.h"
+#include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/ClockPass.h"
+#include "kernels/particle/PressurePass.h"
 #include "solver/DeviceState.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
@@ -28,6 +30,7 @@ public:
     Energies energies() override;
     NodalWorks nodalWorks() override;
     PairForce pairForce(std::size_t pair) override;
+    BodyMotionValues bodyMotion(std::size_t body) override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
     std::uint64_t stateChecksum() override;
@@ -50,9 +53,13 @@ private:
     void searchContact();
     void searchPair(std::size_t pair);
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
+    void loadPasses();
+    void moveBodies();
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
     std::array<double, 2> kineticEnergy();
+    /// Blocks of contact nodes; the bounds of the bodies follow theirs.
+    Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
     template <class Body>
@@ -141,6 +148,7 @@ void ExplicitSolver<Precision, Executor>::computeForces()
 {
     timed(times_.element, [&] { elementPasses(); });
     if (!data_.pairs.empty()) timed(times_.contact, [&] { contactPasses(); });
+    timed(times_.node, [&] { loadPasses(); });
 }
 
 template <class Precision, class Executor>
@@ -155,6 +163,7 @@ void ExplicitSolver<Precision, Executor>::integrate()
                                   state_.clock.data()};
         executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
         executor_.parallelBlocks(nodeBlocks(), nodeScratch(), nodePass());
+        if (!data_.body.bodies.empty()) moveBodies();
     });
 }
 
@@ -229,9 +238,15 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
             .contactForce = s.contactSum.data(),
             .contactScale = data_.contactScale,
             .conditionStart = s.conditionStart.data(),
-            .conditionOf = s.conditionOf.data(),
+            .uses = s.uses.data(),
             .conditions = s.conditions.data(),
             .amplitudeRows = s.amplitudeRows.data(),
+            .frameOf = s.frameOf.data(),
+            .frames = s.frames.data(),
+            .pressureStart = s.pressureStart.data(),
+            .pressureSlots = s.pressureSlots.data(),
+            .pressureForce = s.pressureForce.data(),
+            .pressureStride = data_.pressureFaceNode.size(),
             .massDamping = typename Precision::Motion(massDamping_),
             .ledger = ledger_,
             .blockWork = s.blockWork.data(),
@@ -240,5 +255,6 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
 
 } // namespace fpm
 
+#include "solver/ExplicitSolverBodies.h"
 #include "solver/ExplicitSolverContact.h"
 #include "solver/ExplicitSolverResults.h"

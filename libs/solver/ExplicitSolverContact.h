@@ -56,7 +56,7 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
     const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),
                       state_.contactInverseMass.data(),  data_.contactScale,
                       state_.contactLimit.data(),        state_.clock.data()};
-    executor_.parallelBlocks(Index(state_.contactLimit.size()), Limit::scratch(), limit);
+    executor_.parallelBlocks(contactBlocks(), Limit::scratch(), limit);
 }
 
 /// Searches where the lists could not last for `steps` more steps, and returns how many they last
@@ -69,7 +69,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
 {
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
-        Index(state_.contactLimit.size()),
+        contactBlocks(),
         ContactTravel<Precision>{count, state_.contactNodes.data(), state_.position.data(),
                                  state_.velocity.data(), std::size_t(data_.nodeCount),
                                  state_.searchPosition.data(), state_.contactTravel.data()});

@@ -14,6 +14,12 @@ std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
     std::array<double, 2> sums{0, 0};
     const std::vector<double> blocks = state_.blockEnergy.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
+    const double step = clock().step;
+    for (const RigidBody& body : state_.body.bodies.toHost()) {
+        const auto [kinetic, closing] = bodyEnergy(body, step, massDamping_);
+        sums[0] += kinetic;
+        sums[1] += closing;
+    }
     return sums;
 }
 
@@ -23,6 +29,8 @@ std::array<double, nodeWorks> ExplicitSolver<Precision, Executor>::works() const
     std::array<double, nodeWorks> sums{};
     const std::vector<double> blocks = state_.blockWork.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % nodeWorks] += blocks[i];
+    for (const RigidBody& body : state_.body.bodies.toHost())
+        for (std::size_t k = 0; k < nodeWorks; ++k) sums[k] += body.work[k];
     return sums;
 }
 
@@ -89,8 +97,9 @@ NodeValues ExplicitSolver<Precision, Executor>::nodeValues(const std::vector<Ind
     const std::size_t count = nodes.empty() ? std::size_t(data_.nodeCount) : nodes.size();
     const Array<Index, Executor> list(nodes);
     Array<double, Executor> out(sampleValues * count);
-    executor_.parallelFor(Index(count),
-                          NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count)});
+    executor_.parallelFor(
+        Index(count), NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count),
+                                            state_.body.bodyOf.data(), state_.body.bodies.data()});
     executor_.synchronize();
     return {out.toHost(), count};
 }

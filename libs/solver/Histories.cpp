@@ -1,11 +1,21 @@
 #include "solver/Histories.h"
 
+#include <algorithm>
+
 namespace fpm {
 
 std::vector<std::string> energyColumns()
 {
     return {"time",    "kinetic",  "internal", "plastic",  "hourglass", "bulkViscosity",
             "contact", "friction", "damping",  "external", "total",     "balance"};
+}
+
+std::vector<std::string> rigidBodyColumns()
+{
+    std::vector<std::string> columns{"time"};
+    for (const char* quantity : {"u", "v", "w", "bodyW", "f", "m"})
+        for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string(quantity) + axis);
+    return columns;
 }
 
 namespace {
@@ -46,6 +56,9 @@ Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) 
         case History::Kind::reaction:
             add("reaction", {"time", "fx", "fy", "fz"});
             break;
+        case History::Kind::rigidBody:
+            add("rigidBody", rigidBodyColumns());
+            break;
         }
         channels_.push_back(std::move(channel));
     }
@@ -67,6 +80,9 @@ void Histories::sample(Solver& solver, const Energies& e)
             break;
         case History::Kind::reaction:
             sampleReaction(channel, solver, e.time);
+            break;
+        case History::Kind::rigidBody:
+            sampleBody(channel, solver, e.time);
             break;
         }
 }
@@ -93,6 +109,18 @@ void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
     for (std::size_t i = 0; i < values.count; ++i)
         for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
     channel.files[0]->append({time, sum[0], sum[1], sum[2]});
+}
+
+void Histories::sampleBody(Channel& channel, Solver& solver, double time)
+{
+    const std::vector<Index>& parts = solver.data().body.part;
+    const auto part = std::find(parts.begin(), parts.end(), channel.history->part);
+    const BodyMotionValues body = solver.bodyMotion(std::size_t(part - parts.begin()));
+    std::vector<double> row{time};
+    for (const Point& value :
+         {body.displacement, body.velocity, body.spin, body.localSpin, body.force, body.moment})
+        row.insert(row.end(), value.begin(), value.end());
+    channel.files[0]->append(row);
 }
 
 void Histories::sampleContact(Channel& channel, Solver& solver, double time)

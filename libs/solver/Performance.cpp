@@ -52,7 +52,7 @@ std::string worstElement(Solver& solver, const Model& model)
     Index worst = 0, inverted = 0;
     double least = 1e300;
     for (Index element = 0; element < Index(model.mesh.hexahedra.size()); ++element) {
-        if (model.parts[std::size_t(model.mesh.partOf(element))].kind == PartKind::rigid) continue;
+        if (isRigid(model.parts[std::size_t(model.mesh.partOf(element))].kind)) continue;
         const double step = elementStep(solver, model, nodes, element);
         inverted += !(step > 0);
         if (step < least || !(step == step)) {

@@ -31,6 +31,15 @@ struct PairForce {
     std::int64_t released = 0; ///< let go since the start because they went too deep
 };
 
+/// A rigid body at one time, in global axes.
+struct BodyMotionValues {
+    Point displacement, velocity, spin; ///< of the centre; angular velocity [rad/time]
+    Point localSpin;                    ///< in axes that turn with the body, global at the start
+    Point force, moment;                ///< of contact and loads, about the centre
+    Point momentum;                     ///< angular, about the centre
+    double kinetic = 0, halfStepKinetic = 0; ///< the latter at v^(n-1/2)
+};
+
 /// Seconds spent; on a GPU only the total is known without disturbing the run.
 struct StepTimes {
     double total = 0, element = 0, contact = 0, node = 0, search = 0;
@@ -69,6 +78,7 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual BodyMotionValues bodyMotion(std::size_t body) = 0;          ///< as SolverData::body
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

@@ -59,7 +59,7 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
 /// What the elements of a part keep from step to step, as the kernel of its group has it.
 StateLayout stateLayout(const Part& part)
 {
-    if (part.kind == PartKind::rigid) return {0, 0, false};
+    if (isRigid(part.kind)) return {0, 0, false};
     return {1, part.hourglass == HourglassForm::viscous ? 0 : 12,
             part.kind == PartKind::elastoplastic};
 }
@@ -114,7 +114,7 @@ void addGroups(SolverData& data, const Model& model)
 {
     for (std::size_t i = 0; i < data.patches.size(); ++i) {
         const Part& part = model.parts[std::size_t(data.patches[i].material)];
-        if (part.kind == PartKind::rigid) {
+        if (isRigid(part.kind)) {
             data.rigidParts = true;
             continue;
         }
@@ -134,60 +134,10 @@ void addMass(SolverData& data, const Model& model)
 {
     data.nodeMass.assign(std::size_t(data.nodeCount), 0.0);
     for (Index element = 0; element < data.elementCount; ++element) {
-        const double mass =
-            data.elementMass[data.tileOf(element)
-                             + std::size_t(data.elementPlace[std::size_t(element)])];
+        const double mass = data.massOf(element);
         for (const Index node : model.mesh.hexahedra[std::size_t(element)])
             data.nodeMass[std::size_t(node)] += mass / 8;
     }
-}
-
-void addMotion(SolverData& data, const Model& model)
-{
-    data.velocity.assign(std::size_t(data.nodeCount), Point{0, 0, 0});
-    data.fixed.assign(std::size_t(data.nodeCount), 0);
-    for (const InitialVelocity& initial : model.initialVelocities)
-        for (const Index node : initial.nodes) data.velocity[std::size_t(node)] = initial.velocity;
-
-    std::vector<std::pair<Index, Index>> uses; // node, condition
-    for (const BoundaryCondition& condition : model.boundaryConditions) {
-        int components = 0;
-        for (int c = 0; c < 3; ++c) components |= int(condition.constrains[std::size_t(c)]) << c;
-        if (condition.kind == BoundaryCondition::Kind::fixed) {
-            for (const Index node : condition.nodes) {
-                data.fixed[std::size_t(node)] |= std::uint8_t(components);
-                for (int c = 0; c < 3; ++c)
-                    if ((components >> c) & 1) data.velocity[std::size_t(node)][std::size_t(c)] = 0;
-            }
-            continue;
-        }
-        Condition out{};
-        out.kind = condition.kind == BoundaryCondition::Kind::displacement ? 0
-                   : condition.kind == BoundaryCondition::Kind::velocity   ? 1
-                                                                           : 2;
-        out.components = components;
-        out.smooth = condition.amplitude.kind == Amplitude::Kind::smooth;
-        out.firstRow = Index(data.amplitudeRows.size() / 2);
-        out.rowCount = Index(condition.amplitude.rows.size());
-        for (const auto& row : condition.amplitude.rows) {
-            data.amplitudeRows.push_back(row[0]);
-            data.amplitudeRows.push_back(row[1]);
-        }
-        const double share = out.kind == 2 ? 1.0 / double(condition.nodes.size()) : 1.0;
-        for (int c = 0; c < 3; ++c) out.value[c] = share * condition.value[std::size_t(c)];
-        for (const Index node : condition.nodes)
-            uses.emplace_back(node, Index(data.conditions.size()));
-        data.conditions.push_back(out);
-    }
-    if (uses.empty()) return;
-    std::sort(uses.begin(), uses.end());
-    data.conditionStart.assign(std::size_t(data.nodeCount) + 1, 0);
-    for (const auto& [node, condition] : uses) {
-        ++data.conditionStart[std::size_t(node) + 1];
-        data.conditionOf.push_back(condition);
-    }
-    for (std::size_t i = 1; i < data.conditionStart.size(); ++i)
-        data.conditionStart[i] += data.conditionStart[i - 1];
 }
 
 } // namespace
@@ -203,6 +153,7 @@ SolverData makeSolverData(const Model& model)
     addMass(data, model);
     addMotion(data, model);
     if (!model.contactPairs.empty()) addContact(data, model);
+    addLoadedBodyNodes(data);
     return data;
 }
 

@@ -2,7 +2,7 @@
 
 #include "kernels/contact/ForceSum.h"
 #include "kernels/element/ElementPass.h"
-#include "kernels/particle/Amplitude.h"
+#include "kernels/particle/BodyNodes.h"
 #include "mesh/Patches.h"
 #include "model/Model.h"
 
@@ -36,6 +36,20 @@ struct ElementPlace {
     std::size_t part, state, strains, stride;
 };
 
+/// Free rigid bodies, one a rigidFree part.
+struct BodyData {
+    std::vector<Index> part;
+    std::vector<RigidBody> bodies;
+    std::vector<Index> bodyOf; ///< of each node, -1; empty without bodies
+    std::vector<Index> nodes;  ///< of all bodies
+    std::vector<Point> arm;    ///< of each of them, from the centre
+    std::vector<Index> useStart;
+    std::vector<ConditionUse> uses; ///< loads on a body as a whole
+    std::vector<BodyBlock> blocks;
+    std::vector<Index> blockStart, loaded; ///< nodes that may feel a force
+    std::vector<double> inverseMass;       ///< of each of them, for contact springs
+};
+
 /// Everything the solver uploads, in double and in the layout of the kernels.
 struct SolverData {
     Index nodeCount = 0, elementCount = 0, paddedElements = 0, slotCount = 0;
@@ -52,9 +66,14 @@ struct SolverData {
     std::vector<double> nodeMass;
     std::vector<Point> velocity; ///< initial
     std::vector<std::uint8_t> fixed;
-    std::vector<Index> conditionStart, conditionOf;
+    std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
+    std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
     std::vector<double> amplitudeRows;
+    std::vector<Index> frameOf; ///< see NodePass
+    std::vector<double> frames;
+    std::vector<Index> pressureFaceNode, pressureFaceCondition, pressureStart, pressureSlots;
+    BodyData body;
     bool rigidParts = false;
 
     std::vector<PairData> pairs;
@@ -72,12 +91,22 @@ struct SolverData {
         return {std::size_t(patch.material), patch.state + e, patch.strains + e,
                 std::size_t(patch.stride)};
     }
+    double massOf(Index element) const
+    {
+        return elementMass[tileOf(element) + std::size_t(elementPlace[std::size_t(element)])];
+    }
     std::vector<std::size_t> elementTile; ///< tile start of the element's patch
     std::vector<Index> elementPlace, elementPatch;
 };
 
 /// Builds the data of a validated model. Throws Error(mesh) for a node without mass.
 SolverData makeSolverData(const Model& model);
+/// Conditions, initial velocities and bodies of makeSolverData; after masses, before contact.
+void addMotion(SolverData& data, const Model& model);
+/// Bodies of rigidFree parts. `numbers`: condition of each boundary condition, -1 for fixed.
+void addBodies(SolverData& data, const Model& model, const std::vector<Index>& numbers);
+/// Nodes of bodies with contact or loads; after addContact.
+void addLoadedBodyNodes(SolverData& data);
 /// The contact part of makeSolverData.
 void addContact(SolverData& data, const Model& model);
 /// Material constants of a part.

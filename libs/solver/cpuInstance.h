@@ -14,7 +14,7 @@ std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, con
                                     + Precision::name;
     // Enough for the largest patch a mesh may have (2048 nodes).
     const std::size_t scratch =
-        std::max(elementScratch<typename Precision::Work>(2048), nodeScratch());
+        std::max({elementScratch<typename Precision::Work>(2048), nodeScratch(), bodyScratch()});
     return std::make_unique<ExplicitSolver<Precision, CpuExecutor<Bits>>>(
         model, CpuExecutor<Bits>(threads, scratch), description, audit);
 }

@@ -26,7 +26,8 @@ std::vector<History> readFunctions(const std::string& text, Log log = Log::quiet
     weight.name = "weight";
     weight.kind = BoundaryCondition::Kind::force;
     return readHistories(Dictionary::parse("functions { " + text + " }"),
-                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, log);
+                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, {Part{}},
+                         log);
 }
 
 } // namespace
@@ -136,4 +137,10 @@ TEST(HistoryReader, RefusesWhatIsNotThere)
 TEST(HistoryReader, RefusesANameThatCouldLeaveTheCase)
 {
     EXPECT_FALSE(refusal([] { readFunctions("\"../x\" { type energies; }"); }).empty());
+}
+
+TEST(ControlReader, RefusesTheMotionOfABodyThatIsNotRigidFree)
+{
+    EXPECT_TRUE(contains(refusal([] { readFunctions("a { type rigidBody; part rod; }"); }),
+                         "part 'rod' is not rigidFree"));
 }
