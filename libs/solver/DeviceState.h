@@ -139,11 +139,11 @@ struct DeviceState {
     Of<Work> elementMass, state, slotForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
-    Of<Motion> velocity, inverseMass;
+    Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
     Of<Index> conditionStart, conditionOf;
     Of<Condition> conditions;
-    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy;
+    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy, relaxationSum;
 
     Of<Index> contactNodes, contactNumber;
     Of<Motion> contactInverseMass;
@@ -168,6 +168,7 @@ struct DeviceState {
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
           inverseMass(inverses(data.nodeMass)),
+          lastForce(data.relaxation.tolerance > 0 ? 3 * std::size_t(data.nodeCount) : 0),
           fixed(data.fixed),
           conditionStart(data.conditionStart),
           conditionOf(data.conditionOf),
@@ -177,6 +178,8 @@ struct DeviceState {
           patchStep(data.patches.size()),
           blockWork(blocks(data.nodeCount) * nodeWorks),
           blockEnergy(2 * blocks(data.nodeCount)),
+          relaxationSum(data.relaxation.tolerance > 0 ? relaxationSums * blocks(data.nodeCount)
+                                                      : 0),
           contactNodes(data.contactNodes),
           contactNumber(data.contactNumber),
           contactInverseMass(converted<Motion>(data.contactInverseMass)),
@@ -215,7 +218,8 @@ struct DeviceState {
             + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
             + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
             + contactInverseMass.bytes() + blockEnergy.bytes() + conditionOf.bytes()
-            + conditions.bytes() + amplitudeRows.bytes();
+            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
+            + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

@@ -80,6 +80,9 @@ struct NodePass {
         team.barrier();
     }
 
+    /// xi of this step: the case's and that of dynamic relaxation.
+    FPM_KERNEL Motion dampingRate() const { return massDamping + Motion(clock->damping); }
+
     /// Internal force of the elements on a node (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
@@ -154,13 +157,14 @@ private:
         const Motion in[3] = {internal.x, internal.y, internal.z},
                      ct[3] = {touch.x, touch.y, touch.z}, ex[3] = {outer.x, outer.y, outer.z};
         const Motion h = Motion(clock->mean), dt = Motion(clock->step), inverse = inverseMass[node];
+        const Motion xi = dampingRate();
         const Motion previous = Motion(2 * clock->mean - clock->step); // the step before
         if (ledger)
             for (int k = 0; k < nodeWorks; ++k) work[k * nodeBlock] = 0;
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * nodeStride + node;
             const Motion old = velocity[at], force = ex[c] - in[c] + ct[c];
-            Motion v = leapFrogVelocity(old, force, inverse, h, massDamping);
+            Motion v = leapFrogVelocity(old, force, inverse, h, xi);
             Motion imposed = 0;
             const bool held = (fixed[node] >> c) & 1;
             const bool drives = !held && driven(node, c, imposed);
@@ -178,12 +182,12 @@ private:
             work[externalAfter * nodeBlock] += double(ex[c]) * after;
             const double mean = 0.5 * (double(old) + double(v));
             const double mass = inverse > 0 ? 1 / double(inverse) : 0;
-            const double lost = double(h) * double(massDamping) * mass * mean * mean;
+            const double lost = double(h) * double(xi) * mass * mean * mean;
             work[damping * nodeBlock] += lost;
             if (!held && !drives) continue;
             // Reaction of the drive: what is missing in m dv/dt = F - xi m v + R.
             const double reaction = (double(v) - double(old)) * mass / double(h) - double(force)
-                                    + double(massDamping) * mass * mean;
+                                    + double(xi) * mass * mean;
             work[driveBefore * nodeBlock] += reaction * before;
             work[driveAfter * nodeBlock] += reaction * after;
         }

@@ -29,7 +29,7 @@ struct NodeSample {
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * pass.nodeStride + node;
             const double v = double(pass.velocity[at]);
-            double a = force[c] * double(pass.inverseMass[node]) - double(pass.massDamping) * v;
+            double a = force[c] * double(pass.inverseMass[node]) - double(pass.dampingRate()) * v;
             if (pass.imposed(node, c)) a = 0;
             out[std::size_t(c) * planes + std::size_t(i)] = double(pass.position[at]);
             out[std::size_t(3 + c) * planes + std::size_t(i)] = v + 0.5 * pass.clock->step * a;
@@ -78,7 +78,7 @@ private:
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
             const double v = double(pass.velocity[c * pass.nodeStride + node]);
-            double a = (outer[c] + inner[c]) * inverse - double(pass.massDamping) * v;
+            double a = (outer[c] + inner[c]) * inverse - double(pass.dampingRate()) * v;
             double booked = outer[c];
             if (pass.imposed(node, c)) {
                 a = 0;

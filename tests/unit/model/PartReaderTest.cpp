@@ -170,3 +170,16 @@ TEST(PartReader, ReadsTheRotationAlsoOfThePartItIsLike)
     EXPECT_EQ(parts[1].rotation, RotationForm::hughesWinget);
     EXPECT_TRUE(contains(refusalOf(elastic + "rotation jaumann;"), "hughesWinget"));
 }
+
+TEST(PartReader, ASelectiveHexahedronTurnsByItsSpin)
+{
+    EXPECT_EQ(readOne(elastic).hexahedron, HexahedronForm::reduced);
+    for (const char* rotation : {"", " rotation hughesWinget;"}) {
+        const Part part = readOne(elastic + "hexahedron selective;" + rotation);
+        EXPECT_EQ(part.hexahedron, HexahedronForm::selective);
+        EXPECT_EQ(part.rotation, RotationForm::hughesWinget);
+    }
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron selective; rotation polar;"),
+                         "write: rotation hughesWinget;"));
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron full;"), "reduced, selective"));
+}
