@@ -4,8 +4,8 @@
 
 #include <random>
 
-// The selective hexahedron in whole meshes: benchmark A1 of MacNeal and Harder, incompressibility,
-// plastic flow of a thick ring of constraints, and what is written of it.
+// The selective hexahedron in whole meshes: the patch of MacNeal and Harder, nearly incompressible
+// bending, plastic flow in plane strain.
 
 namespace fpm::test {
 namespace {
@@ -52,7 +52,7 @@ bool isCorner(const Point& p)
     return true;
 }
 
-/// Drives the corners to x + H x over `time`, or to H x and back by a rotation when `turned`.
+/// Drives the corners to x + H x.
 void driveCorners(Model& model, const double (&h)[3][3], const Amplitude& amplitude)
 {
     for (std::size_t i = 0; i < model.mesh.points.size(); ++i) {
@@ -93,8 +93,8 @@ TEST(Selective, TheInnerNodesOfThePatchFindTheLinearField)
             EXPECT_NEAR(stress[6 * e + k], k < 3 ? 2000 : 400, 5); // large strains: 0.2 %
 }
 
-/// Deflection of the middle of the short side of a cantilever of 8 x 2 x 1 elements with Poisson's
-/// ratio near a half, plane strain, over that of a beam; the tip is loaded and comes to rest.
+/// Tip deflection of a cantilever in plane strain, 8 x 2 mm, four elements high, over that of a
+/// beam with shear; the load is applied at once and comes to rest.
 double bentBlock(double poisson)
 {
     Part part = steel(poisson);
@@ -124,9 +124,9 @@ double bentBlock(double poisson)
 
 TEST(Selective, ANearlyIncompressibleBlockBendsLikeAnyOther)
 {
-    const double compressible = bentBlock(0.3), incompressible = bentBlock(0.4999);
-    EXPECT_NEAR(compressible, 1, 0.12);
-    EXPECT_NEAR(incompressible, 1, 0.12);
+    const double compressible = bentBlock(0.3), incompressible = bentBlock(0.499);
+    EXPECT_NEAR(compressible, 1, 0.05);
+    EXPECT_NEAR(incompressible, 1, 0.05);
 }
 
 /// A cube whose faces but one pair are between smooth walls is pressed flat: plane strain flow at
@@ -161,7 +161,6 @@ TEST(Selective, PlasticFlowInPlaneStrainDoesNotLock)
     model.boundaryConditions.push_back(condition(Kind::displacement, "press", plane(2, 4),
                                                  {false, false, true}, {0, 0, -0.4},
                                                  {Amplitude::Kind::smooth, {{0, 0}, {time, 1}}}));
-    model.parts[0].massFactor = 1;
     const auto solver = startedSolver(model);
     solver->advance(0.5 * time, 100000);
     ASSERT_FALSE(solver->clock().failed);
