@@ -78,13 +78,14 @@ private:
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
             const double v = double(pass.velocity[c * pass.nodeStride + node]);
-            double a = (outer[c] + inner[c]) * inverse - double(pass.dampingRate()) * v;
+            double next =
+                leapFrogVelocity(v, outer[c] + inner[c], inverse, dt, double(pass.dampingRate()));
             double booked = outer[c];
             if (pass.imposed(node, c)) {
-                a = 0;
+                next = v;
                 booked = -inner[c]; // load and reaction together, at constant velocity
             }
-            kinetic += v * (v + dt * a);
+            kinetic += v * next;
             closing += 0.5 * dt * v * booked;
         }
         out[0] = inverse > 0 ? 0.5 * kinetic / inverse : 0;
