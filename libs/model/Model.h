@@ -18,6 +18,8 @@ constexpr bool isRigid(PartKind kind)
 }
 /// How the rigid rotation of a step is taken out of an element.
 enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
+/// One integration point with hourglass control, or eight with the mean dilatation (B-bar).
+enum class HexahedronForm { reduced, selective };
 enum class HourglassForm { stiffness, viscous, physical };
 enum class HourglassPlastic { elastic, coupled }; ///< physical form when the section yields
 
@@ -41,13 +43,16 @@ struct Part {
     double density = 0;       ///< [mass/length^3]
     double youngsModulus = 0; ///< [stress]
     double poissonsRatio = 0;
-    RotationForm rotation = RotationForm::midSurface;
+    HexahedronForm hexahedron = HexahedronForm::reduced;
+    RotationForm rotation = RotationForm::midSurface; ///< selective: always hughesWinget
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;
     GivenInertia inertia; ///< rigidFree
     double linearBulkViscosity = 0.06, quadraticBulkViscosity = 1.2;
+    double massFactor = 1; ///< mass scaling: of every element
+    double targetStep = 0; ///< mass scaling: stable step no element stays below, 0: none [time]
 };
 
 enum class ContactSearch { faces, closestParticle };
@@ -77,12 +82,15 @@ struct History {
 /// system/controlDict.
 struct Control {
     double endTime = 0;
-    double writeInterval = 0;      ///< time between frames
-    double historyInterval = 0;    ///< time between history rows; 0 = every step
-    double timeStepSafety = 0.9;   ///< of the stability bound
-    double contactStepLimit = 0.5; ///< omega_c dt, the energy-quality bound
-    double fixedTimeStep = 0;      ///< > 0: this step, checked against the bound
-    double massDamping = 0;        ///< xi [1/time], eq. (3)
+    double writeInterval = 0;       ///< time between frames
+    double historyInterval = 0;     ///< time between history rows; 0 = every step
+    double timeStepSafety = 0.9;    ///< of the stability bound
+    double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound
+    double fixedTimeStep = 0;       ///< > 0: this step, checked against the bound
+    double massDamping = 0;         ///< xi [1/time], eq. (3)
+    double kineticShare = 0;        ///< quasi-static: warn beyond this, 0: never
+    double quasiStaticAfter = 0;    ///< start phase without that warning [time]
+    double relaxationTolerance = 0; ///< > 0: dynamic relaxation to rest
     double energyWarning = 0.01, energyStop = 0.05;
     std::string backend = "openmp"; ///< serial openmp cuda
     int threads = 0;                ///< 0 = all cores

@@ -130,6 +130,21 @@ RotationForm readRotation(const Lineage& lineage)
                                     : RotationForm::midSurface;
 }
 
+/// `hexahedron` and `rotation`: the selective element knows one rotation only.
+void readElement(const Lineage& lineage, Part& part)
+{
+    part.rotation = readRotation(lineage);
+    if (holder(lineage, "hexahedron").choiceOr("hexahedron", "reduced", {"reduced", "selective"})
+        == "reduced")
+        return;
+    part.hexahedron = HexahedronForm::selective;
+    const Dictionary& entry = holder(lineage, "rotation");
+    if (entry.has("rotation") && part.rotation != RotationForm::hughesWinget)
+        entry.fail("rotation", "hexahedron selective turns every integration point by its spin",
+                   "write: rotation hughesWinget; or remove the entry");
+    part.rotation = RotationForm::hughesWinget;
+}
+
 /// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
 void refusePlasticity(const Dictionary& own, PartKind kind)
 {
@@ -221,7 +236,7 @@ Part readPart(const Dictionary& parts, const std::string& name)
         part.hardening = readHardening(lineage);
     else if (lineage.front().has("yieldStress") || lineage.front().has("hardening"))
         readHardening(lineage); // checked, not used: elastic and plastic differ by one word
-    part.rotation = readRotation(lineage);
+    readElement(lineage, part);
     readHourglass(lineage, part);
     const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");
     part.linearBulkViscosity = viscosity.numberOr("linear", 0.06, between(0, 1));

@@ -111,6 +111,7 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
     checkMotions(model, boundary, log);
 
     model.control = readControl(control, log);
+    readMassScaling(control, model.parts);
     model.control.histories =
         readHistories(control, model.mesh, model.boundaryConditions, model.parts, log);
     control.requireAllUsed();

@@ -173,7 +173,7 @@ struct DeviceState {
     Of<Work> elementMass, state, slotForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
-    Of<Motion> velocity, inverseMass;
+    Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
     Of<Index> conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
         pressureSlots;
@@ -182,7 +182,7 @@ struct DeviceState {
     Of<Motion> pressureForce;
     Of<double> frames;
     BodyArrays<Executor> body;
-    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy;
+    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy, relaxationSum;
 
     Of<Index> contactNodes, contactNumber;
     Of<Motion> contactInverseMass;
@@ -207,6 +207,7 @@ struct DeviceState {
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
           inverseMass(inverses(data.nodeMass)),
+          lastForce(data.relaxation.tolerance > 0 ? 3 * std::size_t(data.nodeCount) : 0),
           fixed(data.fixed),
           conditionStart(data.conditionStart),
           frameOf(data.frameOf),
@@ -224,6 +225,8 @@ struct DeviceState {
           patchStep(data.patches.size()),
           blockWork(blocks(data.nodeCount) * nodeWorks),
           blockEnergy(2 * blocks(data.nodeCount)),
+          relaxationSum(data.relaxation.tolerance > 0 ? relaxationSums * blocks(data.nodeCount)
+                                                      : 0),
           contactNodes(data.contactNodes),
           contactNumber(data.contactNumber),
           contactInverseMass(converted<Motion>(data.contactInverseMass)),
@@ -264,7 +267,8 @@ struct DeviceState {
             + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
             + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
             + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
-            + conditions.bytes() + amplitudeRows.bytes();
+            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
+            + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

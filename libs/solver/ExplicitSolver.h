@@ -46,6 +46,7 @@ private:
 
     void computeForces();
     void integrate();
+    void relax();
     void elementPasses();
     template <class Material, class Hourglass>
     void elementPass(std::size_t group);
@@ -92,7 +93,8 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
       state_(data_, model.mesh.points),
       elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
 {
-    ledger_ = audit || !data_.conditions.empty() || massDamping_ > 0;
+    ledger_ =
+        audit || !data_.conditions.empty() || massDamping_ > 0 || data_.relaxation.tolerance > 0;
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
@@ -123,7 +125,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
 {
     const auto begin = std::chrono::steady_clock::now();
     StepClock now = clock();
-    if (now.failed || now.time >= time) return;
+    if (now.failed || now.settled || now.time >= time) return;
     now.stop = time;
     now.running = 1;
     state_.clock.fromHost({now});
@@ -155,6 +157,7 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::integrate()
 {
     timed(times_.node, [&] {
+        if (data_.relaxation.tolerance > 0) relax();
         const ClockPass clockPass{state_.patchStep.data(),
                                   Index(state_.patchStep.size()),
                                   state_.contactLimit.data(),
@@ -168,11 +171,31 @@ void ExplicitSolver<Precision, Executor>::integrate()
 }
 
 template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::relax()
+{
+    const RelaxationNodes<Precision> nodes{nodePass(), state_.lastForce.data(),
+                                           state_.relaxationSum.data()};
+    executor_.parallelBlocks(nodeBlocks(), relaxationScratch(), nodes);
+    const RelaxationClock relaxation{state_.relaxationSum.data(),
+                                     nodeBlocks(),
+                                     state_.patchEnergy.data(),
+                                     Index(state_.patchStep.size()),
+                                     elementEnergies,
+                                     data_.relaxation,
+                                     state_.clock.data()};
+    executor_.parallelBlocks(1, RelaxationClock::scratch(), relaxation);
+}
+
+template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::elementPasses()
 {
     for (std::size_t group = 0; group < data_.groups.size(); ++group) {
         const bool general = data_.groups[group].general;
         const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
+        if (data_.groups[group].hexahedron == HexahedronForm::selective) {
+            elementPass<GeneralPlasticity, SelectiveIntegration>(group);
+            continue;
+        }
         switch (data_.groups[group].hourglass) {
         case HourglassForm::stiffness:
             general   ? elementPass<GeneralPlasticity, StiffnessHourglass>(group)

@@ -49,7 +49,7 @@ BodyMotionValues ExplicitSolver<Precision, Executor>::bodyMotion(std::size_t num
     executor_.synchronize();
     const RigidBody body = state_.body.bodies.toHost()[number];
     Vec3<double> velocity, momentum;
-    kicked(body, clock().step / 2, massDamping_, velocity, momentum);
+    kicked(body, clock().step / 2, massDamping_ + clock().damping, velocity, momentum);
     const Vec3<double> spin = spinOf(body, momentum);
     const auto point = [](const Vec3<double>& a) { return Point{a.x, a.y, a.z}; };
     return {point(body.centre - body.start),

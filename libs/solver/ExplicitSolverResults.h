@@ -14,9 +14,9 @@ std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
     std::array<double, 2> sums{0, 0};
     const std::vector<double> blocks = state_.blockEnergy.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
-    const double step = clock().step;
+    const StepClock now = clock();
     for (const RigidBody& body : state_.body.bodies.toHost()) {
-        const auto [kinetic, closing] = bodyEnergy(body, step, massDamping_);
+        const auto [kinetic, closing] = bodyEnergy(body, now.step, massDamping_ + now.damping);
         sums[0] += kinetic;
         sums[1] += closing;
     }

@@ -6,8 +6,8 @@ namespace fpm {
 
 std::vector<std::string> energyColumns()
 {
-    return {"time",    "kinetic",  "internal", "plastic",  "hourglass", "bulkViscosity",
-            "contact", "friction", "damping",  "external", "total",     "balance"};
+    return {"time",     "kinetic", "internal", "plastic", "hourglass", "bulkViscosity", "contact",
+            "friction", "damping", "external", "total",   "balance",   "kineticShare"};
 }
 
 std::vector<std::string> rigidBodyColumns()
@@ -70,7 +70,7 @@ void Histories::sample(Solver& solver, const Energies& e)
         case History::Kind::energies:
             channel.files[0]->append({e.time, e.kinetic, e.internal, e.plastic, e.hourglass,
                                       e.bulkViscosity, e.contact, e.friction, e.damping, e.external,
-                                      e.total, e.balance});
+                                      e.total, e.balance, e.kineticShare()});
             break;
         case History::Kind::contactForces:
             sampleContact(channel, solver, e.time);

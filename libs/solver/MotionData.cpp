@@ -1,3 +1,4 @@
+#include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "model/ImposedMotion.h"
 #include "model/NodeSelection.h"
@@ -68,7 +69,7 @@ void addAreas(const Mesh& mesh,
     }
 }
 
-/// Mass of each node from the elements of the given parts.
+/// Mass of each node from the elements of the given parts, without mass scaling: what weighs.
 std::vector<double>
 massOfParts(const SolverData& data, const Model& model, const std::vector<Index>& parts)
 {
@@ -76,9 +77,10 @@ massOfParts(const SolverData& data, const Model& model, const std::vector<Index>
     for (const Index part : parts) {
         if (model.parts[std::size_t(part)].kind == PartKind::rigidFree) continue; // as a whole
         const MeshPart& run = model.mesh.parts[std::size_t(part)];
+        const double density = model.parts[std::size_t(part)].density;
         for (Index e = run.firstElement; e < run.firstElement + run.elementCount; ++e)
             for (const Index node : model.mesh.hexahedra[std::size_t(e)])
-                mass[std::size_t(node)] += data.massOf(e) / 8;
+                mass[std::size_t(node)] += density * volume(model.mesh, e) / 8;
     }
     return mass;
 }

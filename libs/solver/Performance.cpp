@@ -2,7 +2,6 @@
 
 #include "base/Format.h"
 #include "io/AtomicFile.h"
-#include "kernels/element/Gradient.h"
 #include "solver/TimeLoop.h"
 
 #include <chrono>
@@ -19,29 +18,16 @@ std::size_t contactors(const Model& model)
     return sum;
 }
 
-/// Stable step of an element at given positions; negative when its volume is not positive.
+/// Stable step of an element at given positions; negative when it is turned inside out.
 double elementStep(const Solver& solver, const Model& model, const NodeValues& nodes, Index element)
 {
     const SolverData& data = solver.data();
-    const Part& part = model.parts[std::size_t(model.mesh.partOf(element))];
-    Modes<double> x{};
-    for (int c = 0; c < 3; ++c) {
-        double corner[8], modes[8];
-        for (std::size_t i = 0; i < 8; ++i)
-            corner[i] = nodes.at(
-                0, std::size_t(model.mesh.hexahedra[std::size_t(element)][i]))[std::size_t(c)];
-        toModes(corner, modes);
-        for (int m = 1; m < 8; ++m)
-            (c == 0 ? x.mode[m].x : c == 1 ? x.mode[m].y : x.mode[m].z) = modes[m];
-    }
-    const Gradient<double> gradient = meanGradient(x);
-    const double volume = gradient.volume64 / 64, square = gradientSquare512(gradient) / 512;
-    if (!(volume > 0)) return -1;
-    const double mass = data.elementMass[data.tileOf(element)
-                                         + std::size_t(data.elementPlace[std::size_t(element)])];
-    const double modulus = materialConstants(part).pressureWaveModulus;
-    const double z = part.linearBulkViscosity;
-    return std::sqrt(mass * volume / (2 * modulus * square)) * (std::sqrt(1 + z * z) - z);
+    std::array<Point, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+        corners[i] = nodes.at(0, std::size_t(model.mesh.hexahedra[std::size_t(element)][i]));
+    return stableStep(model.parts[std::size_t(model.mesh.partOf(element))], corners,
+                      data.elementMass[data.tileOf(element)
+                                       + std::size_t(data.elementPlace[std::size_t(element)])]);
 }
 
 } // namespace
@@ -67,6 +53,20 @@ std::string worstElement(Solver& solver, const Model& model)
         return where + (inverted > 1 ? format(" and {} others have", inverted - 1) : " has")
                + " no positive volume any more";
     return where + format(", stable step {}", least);
+}
+
+void reportMassScaling(const Solver& solver, Log& log)
+{
+    const SolverData& data = solver.data();
+    if (data.scaledElements == 0) return;
+    double own = 0, scaled = 0;
+    for (std::size_t i = 0; i < data.nodeMass.size(); ++i) {
+        own += data.ownNodeMass[i];
+        scaled += data.nodeMass[i];
+    }
+    log.line(format("mass scaling: {} added to {} ({} %), {} of {} elements",
+                    toText(scaled - own, 5), toText(own, 5), toText(100 * (scaled / own - 1), 5),
+                    data.scaledElements, data.elementCount));
 }
 
 void reportPerformance(Solver& solver, const Model& model, Run& run)
@@ -105,11 +105,12 @@ namespace {
 
 void reportKernels(const Solver& solver, const Model& model, Log& log)
 {
-    bool elastic = false, plastic = false, general = false;
+    bool elastic = false, plastic = false, general = false, selective = false;
     for (const KernelGroup& group : solver.data().groups)
-        (group.general                           ? general
-         : group.kind == PartKind::elastoplastic ? plastic
-                                                 : elastic) = true;
+        (group.hexahedron == HexahedronForm::selective ? selective
+         : group.general                               ? general
+         : group.kind == PartKind::elastoplastic       ? plastic
+                                                       : elastic) = true;
     const auto used = [&](bool here, const std::string& name) {
         log.line((here ? "  needed    " : "  left out  ") + name);
     };
@@ -117,11 +118,13 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(elastic, "elastic hexahedra");
     used(plastic, "elastoplastic hexahedra (radial return)");
     used(general, "hexahedra with options chosen at run time (rotation)");
+    used(selective, "hexahedra of eight points with mean dilatation");
     for (const auto& [form, name] : {std::pair{HourglassForm::stiffness, "stiffness"},
                                      std::pair{HourglassForm::viscous, "viscous"},
                                      std::pair{HourglassForm::physical, "physical"}}) {
         bool here = false;
-        for (const KernelGroup& group : solver.data().groups) here |= group.hourglass == form;
+        for (const KernelGroup& group : solver.data().groups)
+            here |= group.hexahedron == HexahedronForm::reduced && group.hourglass == form;
         used(here, std::string("hourglass control, ") + name);
     }
     used(!model.contactPairs.empty(), "contact search, tracking and force");
@@ -130,6 +133,7 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(friction, "friction");
     used(!solver.data().conditions.empty(), "drives and loads, ledger of nodal works");
     used(model.control.massDamping > 0, "mass damping");
+    used(model.control.relaxationTolerance > 0, "dynamic relaxation");
     used(solver.data().rigidParts, "rigid parts (no element work)");
 }
 
@@ -143,6 +147,7 @@ void reportDryRun(Solver& solver, const Model& model, Log& log)
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
                     solver.data().patches.size(), contactors(model), model.contactPairs.size(),
                     toText(double(memory) / 1e6, 3)));
+    reportMassScaling(solver, log);
     log.line("limiting " + worstElement(solver, model));
 
     // A few real steps tell the step size with contact, and what a step costs.

@@ -9,6 +9,9 @@ namespace fpm {
 /// postProcessing/performance/0/performance.json.
 void reportPerformance(Solver& solver, const Model& model, Run& run);
 
+/// One line on the mass that mass scaling adds; none where there is none.
+void reportMassScaling(const Solver& solver, Log& log);
+
 /// "element 17 of part rod: ..." with the smallest stable step, or the one that inverted.
 std::string worstElement(Solver& solver, const Model& model);
 

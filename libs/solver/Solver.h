@@ -17,7 +17,13 @@ struct Energies {
     double friction = 0, damping = 0;
     double external = 0; ///< done by loads and drives
     double total = 0;    ///< everything held or dissipated
-    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal, external
+    /// Kinetic over what elements hold and have dissipated: how much inertia there is in a slow
+    /// run.
+    double kineticShare() const
+    {
+        return internal + hourglass > 0 ? kinetic / (internal + hourglass) : 0;
+    }
+    double balance = 0; ///< (total - external - start) / largest of kinetic, internal, external
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.

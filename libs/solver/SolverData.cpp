@@ -47,7 +47,8 @@ MaterialConstants<double> materialConstants(const Part& part)
 
 bool needsGeneralPlasticity(const Part& part)
 {
-    return part.rotation != RotationForm::midSurface;
+    return part.rotation != RotationForm::midSurface
+           || part.hexahedron == HexahedronForm::selective;
 }
 
 namespace {
@@ -60,8 +61,10 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
 StateLayout stateLayout(const Part& part)
 {
     if (isRigid(part.kind)) return {0, 0, false};
-    return {1, part.hourglass == HourglassForm::viscous ? 0 : 12,
-            part.kind == PartKind::elastoplastic};
+    const bool plastic = part.kind == PartKind::elastoplastic;
+    if (part.hexahedron == HexahedronForm::selective)
+        return {SelectiveIntegration::points, SelectiveIntegration::stateSize, plastic};
+    return {1, part.hourglass == HourglassForm::viscous ? 0 : 12, plastic};
 }
 
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
@@ -119,13 +122,16 @@ void addGroups(SolverData& data, const Model& model)
             continue;
         }
         const bool general = needsGeneralPlasticity(part);
+        const bool selective = part.hexahedron == HexahedronForm::selective;
         const auto same = [&](const KernelGroup& group) {
             return group.general == general && (general || group.kind == part.kind)
-                   && group.hourglass == part.hourglass;
+                   && group.hexahedron == part.hexahedron
+                   && (selective || group.hourglass == part.hourglass);
         };
         auto group = std::find_if(data.groups.begin(), data.groups.end(), same);
         if (group == data.groups.end())
-            group = data.groups.insert(group, {part.kind, general, part.hourglass, {}});
+            group = data.groups.insert(group,
+                                       {part.kind, general, part.hexahedron, part.hourglass, {}});
         group->patches.push_back(Index(i));
     }
 }
@@ -133,11 +139,26 @@ void addGroups(SolverData& data, const Model& model)
 void addMass(SolverData& data, const Model& model)
 {
     data.nodeMass.assign(std::size_t(data.nodeCount), 0.0);
+    data.ownNodeMass = data.nodeMass;
     for (Index element = 0; element < data.elementCount; ++element) {
         const double mass = data.massOf(element);
-        for (const Index node : model.mesh.hexahedra[std::size_t(element)])
+        const double own = model.parts[std::size_t(model.mesh.partOf(element))].density
+                           * volume(model.mesh, element);
+        for (const Index node : model.mesh.hexahedra[std::size_t(element)]) {
             data.nodeMass[std::size_t(node)] += mass / 8;
+            data.ownNodeMass[std::size_t(node)] += own / 8;
+        }
     }
+}
+
+void addRelaxation(SolverData& data, const Model& model)
+{
+    data.relaxation.tolerance = model.control.relaxationTolerance;
+    for (const Condition& condition : data.conditions)
+        if (condition.rowCount > 1)
+            data.relaxation.heldFrom = std::max(
+                data.relaxation.heldFrom,
+                data.amplitudeRows[2 * std::size_t(condition.firstRow + condition.rowCount - 1)]);
 }
 
 } // namespace
@@ -150,8 +171,10 @@ SolverData makeSolverData(const Model& model)
     for (const Part& part : model.parts) data.materials.push_back(materialConstants(part));
     addPatches(data, model, makePatches(model.mesh));
     addGroups(data, model);
+    scaleMass(data, model);
     addMass(data, model);
     addMotion(data, model);
+    addRelaxation(data, model);
     if (!model.contactPairs.empty()) addContact(data, model);
     addLoadedBodyNodes(data);
     return data;

@@ -3,16 +3,18 @@
 #include "kernels/contact/ForceSum.h"
 #include "kernels/element/ElementPass.h"
 #include "kernels/particle/BodyNodes.h"
+#include "kernels/particle/Relaxation.h"
 #include "mesh/Patches.h"
 #include "model/Model.h"
 
 namespace fpm {
 
-/// Patches that share a kernel: same material law and hourglass form.
+/// Patches that share a kernel: same material law and element.
 struct KernelGroup {
     PartKind kind;
     bool general; ///< GeneralPlasticity, whatever the kind
-    HourglassForm hourglass;
+    HexahedronForm hexahedron;
+    HourglassForm hourglass; ///< without meaning for selective
     std::vector<Index> patches;
 };
 
@@ -63,7 +65,10 @@ struct SolverData {
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
     std::vector<double> elementMass; ///< tiles of 1
-    std::vector<double> nodeMass;
+    std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
+    std::vector<double> ownNodeMass; ///< without: what weighs
+    std::size_t scaledElements = 0;
+    RelaxationRules relaxation;  ///< tolerance 0: none
     std::vector<Point> velocity; ///< initial
     std::vector<std::uint8_t> fixed;
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
@@ -109,6 +114,10 @@ void addBodies(SolverData& data, const Model& model, const std::vector<Index>& n
 void addLoadedBodyNodes(SolverData& data);
 /// The contact part of makeSolverData.
 void addContact(SolverData& data, const Model& model);
+/// Mass scaling of the elements: elementMass, scaledElements. Masses of nodes come after it.
+void scaleMass(SolverData& data, const Model& model);
+/// Stable step of an element of a part, without quadratic bulk viscosity; <= 0 when it is inverted.
+double stableStep(const Part& part, const std::array<Point, 8>& corners, double mass);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/element/Hexahedron.h"
+#include "kernels/element/SelectiveHexahedron.h"
 #include "kernels/element/StateLayout.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
@@ -34,6 +34,7 @@ constexpr std::size_t elementScratch(std::size_t nodes)
 /// Stress update and internal force of the elements of one patch: loads the patch's nodes into
 /// scratch, works the elements, and sums their corner forces per node in ascending element order.
 /// Boundary nodes get one partial sum a patch; the node pass adds those in patch order.
+/// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
 template <class Precision, class Material, class Hourglass>
 struct ElementPass {
     using Work = typename Precision::Work;
@@ -95,7 +96,8 @@ struct ElementPass {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
-        return {1, Hourglass::stateSize, Material::plastic && (!Material::general || m.rows > 0)};
+        return {Hourglass::points, Hourglass::stateSize,
+                Material::plastic && (!Material::general || m.rows > 0)};
     }
 
 private:
@@ -137,11 +139,8 @@ private:
             Modes<T> x, w;
             loadModes(nodes, corners + 8 * tile + e, stride, x);
             loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
-            ElementState<T> element;
-            loadState(m, element, patch, e);
-            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
-                m, x, w, load<T>(mass + tile + e), rate, strainPoint, element);
-            storeState(m, element, step, patch, e);
+            const ElementStep<T> step =
+                updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
             store(sums + e, step.internal);
             store(sums + patchCapacity + e, step.plastic);
@@ -149,6 +148,48 @@ private:
             store(sums + 3 * patchCapacity + e, step.bulkViscosity);
             store(sums + 4 * patchCapacity + e, step.stableTimeStep);
         });
+    }
+
+    /// The state of the Gauss points of one batch of elements, where it lies.
+    struct PointStates {
+        const ElementPass& pass;
+        const MaterialConstants<Work>& m;
+        const PatchHeader& patch;
+        Index e;
+
+        template <class T>
+        FPM_KERNEL void load(int point, ElementState<T>& to) const
+        {
+            pass.loadState(m, to, patch, e, point);
+        }
+        template <class T>
+        FPM_KERNEL void
+        store(int point, const ElementState<T>& from, const T& plasticStrainIncrement) const
+        {
+            pass.storeState(m, from, plasticStrainIncrement, patch, e, point);
+        }
+    };
+
+    template <class T>
+    FPM_KERNEL ElementStep<T> updateElement(const MaterialConstants<Work>& m,
+                                            const PatchHeader& patch,
+                                            Index e,
+                                            const Modes<T>& x,
+                                            Modes<T>& w,
+                                            const T& elementMass,
+                                            Work rate) const
+    {
+        if constexpr (std::is_same_v<Hourglass, SelectiveIntegration>)
+            return updateSelective<Material>(m, x, w, elementMass, rate,
+                                             PointStates{*this, m, patch, e});
+        else {
+            ElementState<T> element;
+            loadState(m, element, patch, e, 0);
+            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
+                m, x, w, elementMass, rate, strainPoint, element);
+            storeState(m, element, step.plasticStrainIncrement, patch, e, 0);
+            return step;
+        }
     }
 
     template <class T>
@@ -169,11 +210,13 @@ private:
     FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
                               ElementState<T>& to,
                               const PatchHeader& patch,
-                              Index e) const
+                              Index e,
+                              int point) const
     {
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        const Work* s = state + patch.state + e;
+        const Work* first = state + patch.state + e;
+        const Work* s = first + layout.stress(point) * stride;
         to.stress = {load<T>(s),
                      load<T>(s + stride),
                      load<T>(s + 2 * stride),
@@ -181,9 +224,10 @@ private:
                      load<T>(s + 4 * stride),
                      load<T>(s + 5 * stride)};
         to.equivalentPlasticStrain =
-            layout.plastic ? load<T>(plasticStrain + patch.strains + e) : T(Work(0));
+            layout.plastic ? load<T>(plasticStrain + patch.strains + point * stride + e)
+                           : T(Work(0));
         if constexpr (Hourglass::stateSize > 0) {
-            const Work* q = s + layout.hourglassForces() * stride;
+            const Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j)
                 to.hourglass[j] = {load<T>(q + 3 * j * stride), load<T>(q + (3 * j + 1) * stride),
                                    load<T>(q + (3 * j + 2) * stride)};
@@ -193,13 +237,15 @@ private:
     template <class T>
     FPM_KERNEL void storeState(const MaterialConstants<Work>& m,
                                const ElementState<T>& from,
-                               const ElementStep<T>& step,
+                               const T& plasticStrainIncrement,
                                const PatchHeader& patch,
-                               Index e) const
+                               Index e,
+                               int point) const
     {
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        Work* s = state + patch.state + e;
+        Work* first = state + patch.state + e;
+        Work* s = first + layout.stress(point) * stride;
         store(s, from.stress.xx);
         store(s + stride, from.stress.yy);
         store(s + 2 * stride, from.stress.zz);
@@ -207,9 +253,9 @@ private:
         store(s + 4 * stride, from.stress.yz);
         store(s + 5 * stride, from.stress.zx);
         if (layout.plastic)
-            accumulate(plasticStrain + patch.strains + e, step.plasticStrainIncrement);
+            accumulate(plasticStrain + patch.strains + point * stride + e, plasticStrainIncrement);
         if constexpr (Hourglass::stateSize > 0) {
-            Work* q = s + layout.hourglassForces() * stride;
+            Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {
                 store(q + 3 * j * stride, from.hourglass[j].x);
                 store(q + (3 * j + 1) * stride, from.hourglass[j].y);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/element/BulkViscosity.h"
 #include "kernels/element/Hourglass.h"
 #include "kernels/element/RotationRules.h"
 #include "kernels/material/GeneralPlasticity.h"
@@ -94,18 +95,10 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     // Largest frequency: omega^2 <= 8 (lambda + 2 mu) B B / (rho V^2) (Flanagan and Belytschko
     // 1984).
     const T length = volume / squareRoot(square + square);
-    const T slowness = squareRoot(density * T(Real(1) / m.pressureWaveModulus));
-    const T waveSpeed = one / slowness, undamped = length * slowness;
-
-    // Bulk viscosity: linear in both signs, quadratic in compression; in the force, not the stress.
     const T volumetric = strain.xx + strain.yy + strain.zz;
-    const T compression = maximum(-(volumetric * T(rate)), zero);
-    const T quadratic = T(m.quadraticViscosity * m.quadraticViscosity) * length * compression;
-    const T viscousPressure =
-        density * length
-        * (T(m.linearViscosity) * waveSpeed * (volumetric * T(rate)) - quadratic * compression);
-    step.bulkViscosity = volume * viscousPressure * volumetric;
-    const T damping = T(m.linearViscosity) + quadratic * slowness;
+    const BulkViscosity<T> viscosity = bulkViscosity<T>(m, density, length, volumetric, T(rate));
+    step.bulkViscosity = volume * viscosity.pressure * volumetric;
+    const T damping = viscosity.damping, undamped = length * viscosity.slowness;
     step.stableTimeStep =
         undamped * (squareRoot(fusedMultiplyAdd(damping, damping, one)) - damping);
     step.stableTimeStep = select(volume > zero, step.stableTimeStep, -one);
@@ -117,7 +110,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T inverse = one / forceGradient.volume64;
     const T sixtyFourth = T(Real(1) / Real(64));
     Mat3<T> s = matrix(sixtyFourth * state.stress);
-    const T pressure = sixtyFourth * viscousPressure;
+    const T pressure = sixtyFourth * viscosity.pressure;
     s.x.x += pressure;
     s.y.y += pressure;
     s.z.z += pressure;

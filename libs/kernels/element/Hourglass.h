@@ -45,7 +45,7 @@ struct HourglassTrial {
 /// kappa = 1 is the highest frequency of a brick; up to 0.2 no warped element's stable step is
 /// touched. Q turns with the element.
 struct StiffnessHourglass {
-    static constexpr int stateSize = 12;
+    static constexpr int stateSize = 12, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -70,7 +70,7 @@ struct StiffnessHourglass {
 /// Viscous form, C = Q_h rho c_d l^2 / 4 with l^2 = sqrt(2/3 B B) (the edge squared of a cube).
 /// No history; cannot stop slow drift. Stable up to Q_h = 0.2 at the element's own step.
 struct ViscousHourglass {
-    static constexpr int stateSize = 0;
+    static constexpr int stateSize = 0, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -94,7 +94,7 @@ struct ViscousHourglass {
 /// and Bindeman 1993, rederived for parallelepipeds). Works in the frame of the middle surface,
 /// e1 along x1, e3 along x1 x x2, and keeps Q there: the frame turns with the element.
 struct PhysicalHourglass {
-    static constexpr int stateSize = 12;
+    static constexpr int stateSize = 12, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>

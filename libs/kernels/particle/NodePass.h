@@ -89,6 +89,9 @@ struct NodePass {
         team.barrier();
     }
 
+    /// xi of this step: the case's and that of dynamic relaxation.
+    FPM_KERNEL Motion dampingRate() const { return massDamping + Motion(clock->damping); }
+
     /// Internal force of the elements on a node (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
@@ -237,7 +240,8 @@ private:
         std::size_t node, int c, Motion in, Motion ct, Motion ex, Motion old, double* work) const
     {
         const Motion h = Motion(clock->mean), inverse = inverseMass[node], force = ex - in + ct;
-        Motion v = leapFrogVelocity(old, force, inverse, h, massDamping);
+        const Motion xi = dampingRate();
+        Motion v = leapFrogVelocity(old, force, inverse, h, xi);
         Motion imposed = 0;
         const bool held = (fixed[node] >> c) & 1;
         const bool drives = !held && driven(node, c, imposed);
@@ -254,11 +258,11 @@ private:
         work[externalAfter * nodeBlock] += double(ex) * after;
         const double mean = 0.5 * (double(old) + double(v));
         const double mass = inverse > 0 ? 1 / double(inverse) : 0;
-        work[damping * nodeBlock] += double(h) * double(massDamping) * mass * mean * mean;
+        work[damping * nodeBlock] += double(h) * double(xi) * mass * mean * mean;
         if (!held && !drives) return v;
         // Reaction of the drive: what is missing in m dv/dt = F - xi m v + R.
-        const double reaction = (double(v) - double(old)) * mass / double(h) - double(force)
-                                + double(massDamping) * mass * mean;
+        const double reaction =
+            (double(v) - double(old)) * mass / double(h) - double(force) + double(xi) * mass * mean;
         work[driveBefore * nodeBlock] += reaction * before;
         work[driveAfter * nodeBlock] += reaction * after;
         return v;

@@ -31,7 +31,7 @@ struct NodeSample {
         double half[3], a[3];
         for (int c = 0; c < 3; ++c) {
             half[c] = double(pass.velocity[c * pass.nodeStride + node]);
-            a[c] = force[c] * double(pass.inverseMass[node]) - double(pass.massDamping) * half[c];
+            a[c] = force[c] * double(pass.inverseMass[node]) - double(pass.dampingRate()) * half[c];
         }
         pass.removeImposed(node, a);
         for (int c = 0; c < 3; ++c) half[c] += 0.5 * pass.clock->step * a[c];
@@ -52,9 +52,9 @@ private:
     {
         const RigidBody& body = bodies[bodyOf[node]];
         Vec3<double> velocity, momentum;
-        kicked(body, 0.5 * pass.clock->step, double(pass.massDamping), velocity, momentum);
+        kicked(body, 0.5 * pass.clock->step, double(pass.dampingRate()), velocity, momentum);
         const BodyAcceleration rate =
-            accelerationOf(body, velocity, momentum, double(pass.massDamping));
+            accelerationOf(body, velocity, momentum, double(pass.dampingRate()));
         const Vec3<double> spin = spinOf(body, momentum), arm = pass.place(node) - body.centre,
                            turning = cross(spin, arm);
         const Vec3<double> here = velocity + turning,
@@ -112,7 +112,7 @@ private:
         const double inverse = double(pass.inverseMass[node]), dt = pass.clock->step;
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
-            double a = (ex[c] + in[c]) * inverse - double(pass.massDamping) * v[c];
+            double a = (ex[c] + in[c]) * inverse - double(pass.dampingRate()) * v[c];
             double booked = ex[c];
             if (pass.imposed(node, c)) {
                 a = 0;

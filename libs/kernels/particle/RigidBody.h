@@ -169,10 +169,11 @@ struct BodyStep {
     {
         if (!clock->running) return;
         RigidBody& body = bodies[number];
-        const double h = clock->mean, dt = clock->step, previous = 2 * clock->mean - clock->step;
+        const double h = clock->mean, dt = clock->step, previous = 2 * clock->mean - clock->step,
+                     rate = massDamping + clock->damping;
         const Vec3<double> oldVelocity = body.velocity, oldMomentum = body.momentum,
                            oldSpin = spinOf(body, oldMomentum);
-        kicked(body, h, massDamping, body.velocity, body.momentum);
+        kicked(body, h, rate, body.velocity, body.momentum);
         const Vec3<double> spin = spinOf(body, body.momentum);
         const auto power = [](const Wrench& w, const Vec3<double>& v, const Vec3<double>& turn) {
             return dot(w.force, v) + dot(w.moment, turn);
@@ -183,7 +184,7 @@ struct BodyStep {
         work[externalBefore] += 0.5 * previous * power(body.outer, oldVelocity, oldSpin);
         work[externalAfter] += 0.5 * dt * power(body.outer, body.velocity, spin);
         const Vec3<double> mean = 0.5 * (oldVelocity + body.velocity);
-        work[damping] += h * massDamping
+        work[damping] += h * rate
                          * (body.mass * dot(mean, mean)
                             + 0.25 * dot(oldMomentum + body.momentum, oldSpin + spin));
         body.centre = multiplyAdd(dt, body.velocity, body.centre);

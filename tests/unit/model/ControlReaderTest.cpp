@@ -60,6 +60,49 @@ TEST(ControlReader, ReadsWhatIsSaid)
     EXPECT_EQ(control.energyStop, 0.2);
 }
 
+TEST(ControlReader, QuasiStaticToolsAreOffUnlessGiven)
+{
+    const Control off = read("endTime 2;");
+    EXPECT_EQ(off.kineticShare, 0);
+    EXPECT_EQ(off.relaxationTolerance, 0);
+    const Control preset = read("endTime 2; quasiStatic { } dynamicRelaxation { }");
+    EXPECT_EQ(preset.kineticShare, 0.05);
+    EXPECT_EQ(preset.quasiStaticAfter, 0.2);
+    EXPECT_EQ(preset.relaxationTolerance, 1e-3);
+    const Control given = read("endTime 2; quasiStatic { kineticShare 0.1; after 1; } "
+                               "dynamicRelaxation { tolerance 1e-4; }");
+    EXPECT_EQ(given.kineticShare, 0.1);
+    EXPECT_EQ(given.quasiStaticAfter, 1);
+    EXPECT_EQ(given.relaxationTolerance, 1e-4);
+    EXPECT_TRUE(contains(refusal([] { read("endTime 2; dynamicRelaxation { tolerance 1; }"); }),
+                         "tolerance"));
+}
+
+TEST(ControlReader, ScalesTheMassOfTheChosenParts)
+{
+    const auto scaled = [](const std::string& text) {
+        std::vector<Part> parts(3);
+        parts[0].name = "rod";
+        parts[1].name = "plate";
+        parts[2].name = "die";
+        parts[2].kind = PartKind::rigidPrescribed;
+        readMassScaling(Dictionary::parse(text), parts);
+        return parts;
+    };
+    EXPECT_EQ(scaled("")[0].massFactor, 1);
+    const auto all = scaled("massScaling { factor 100; targetStep 1e-6; }");
+    EXPECT_EQ(all[0].massFactor, 100);
+    EXPECT_EQ(all[1].targetStep, 1e-6);
+    EXPECT_EQ(all[2].massFactor, 1);
+    const auto one = scaled("massScaling { targetStep 1e-6; parts (plate); }");
+    EXPECT_EQ(one[0].targetStep, 0);
+    EXPECT_EQ(one[1].targetStep, 1e-6);
+    const auto refused = [&](const std::string& text) { return refusal([&] { scaled(text); }); };
+    EXPECT_TRUE(contains(refused("massScaling { parts (die); }"), "no part 'die'"));
+    EXPECT_TRUE(contains(refused("massScaling { parts (plat); }"), "plate"));
+    EXPECT_TRUE(contains(refused("massScaling { factor 0.5; }"), "factor"));
+}
+
 TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
 {
     const test::CaseFolder folder;

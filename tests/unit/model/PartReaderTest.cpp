@@ -195,3 +195,16 @@ TEST(PartReader, RefusesARigidFreePartThatNoBodyCouldBe)
     EXPECT_TRUE(contains(refusalOf("model rigidFree; density 1; centre (0 0 0);"),
                          "'centre' is given without 'inertia'"));
 }
+
+TEST(PartReader, ASelectiveHexahedronTurnsByItsSpin)
+{
+    EXPECT_EQ(readOne(elastic).hexahedron, HexahedronForm::reduced);
+    for (const char* rotation : {"", " rotation hughesWinget;"}) {
+        const Part part = readOne(elastic + "hexahedron selective;" + rotation);
+        EXPECT_EQ(part.hexahedron, HexahedronForm::selective);
+        EXPECT_EQ(part.rotation, RotationForm::hughesWinget);
+    }
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron selective; rotation polar;"),
+                         "write: rotation hughesWinget;"));
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron full;"), "reduced, selective"));
+}
