@@ -62,16 +62,6 @@ BoundaryCondition::Kind kindOf(const std::string& type)
     return Kind::fixed; // also symmetry: its normal component held
 }
 
-/// A displacement that is not 0 at the start would be an infinite velocity.
-void refuseJump(const Dictionary& entry, const BoundaryCondition& condition)
-{
-    const double start = condition.amplitude(0) * length(condition.value);
-    if (condition.kind == BoundaryCondition::Kind::displacement && start != 0)
-        entry.fail(entry.has("amplitude") ? "amplitude" : "value",
-                   "the displacement would jump by " + toText(start, 6) + " at time 0",
-                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
-}
-
 BoundaryCondition readCondition(const Dictionary& entry, const std::string& name, const Mesh& mesh)
 {
     const std::string type =
@@ -95,7 +85,8 @@ BoundaryCondition readCondition(const Dictionary& entry, const std::string& name
                            + toText(condition.value[axis], 6) + " but is not in 'components'",
                        "add " + axes[axis] + " to components, or give it the value 0");
     condition.amplitude = readAmplitude(entry);
-    refuseJump(entry, condition);
+    if (condition.kind == BoundaryCondition::Kind::displacement)
+        refuseJump(entry, "value", condition.amplitude(0) * length(condition.value));
     return condition;
 }
 
@@ -157,6 +148,14 @@ Amplitude readAmplitude(const Dictionary& entry)
         entry.fail("amplitude", word + " needs at least two rows (time factor)",
                    "such as: amplitude " + word + " ((0 0) (1e-3 1));");
     return amplitude;
+}
+
+void refuseJump(const Dictionary& entry, const std::string& key, double start)
+{
+    if (start != 0)
+        entry.fail(entry.has("amplitude") ? "amplitude" : key,
+                   "the displacement would jump by " + toText(start, 6) + " at time 0",
+                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
 }
 
 std::vector<BoundaryCondition> readBoundaryConditions(const Dictionary& dictionary,

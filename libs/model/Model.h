@@ -1,6 +1,8 @@
 #pragma once
 
 #include "mesh/Mesh.h"
+#include "model/ContactLaw.h"
+#include "model/RigidSurface.h"
 
 #include <array>
 #include <limits>
@@ -35,15 +37,6 @@ struct Part {
     double linearBulkViscosity = 0.06, quadraticBulkViscosity = 1.2;
 };
 
-/// A factor over time: constant 1, a table (linear between rows, held outside), or a smooth step
-/// tau^3 (10 - 15 tau + 6 tau^2) from row to row (method of Abaqus' smooth amplitude).
-struct Amplitude {
-    enum class Kind { constant, table, smooth } kind = Kind::constant;
-    std::vector<std::array<double, 2>> rows{{0.0, 1.0}}; ///< time, factor
-    double operator()(double time) const;
-    bool operator==(const Amplitude&) const = default;
-};
-
 /// constant/boundaryConditions, one entry, its set resolved to nodes.
 struct BoundaryCondition {
     enum class Kind { fixed, displacement, velocity, force } kind = Kind::fixed;
@@ -65,12 +58,11 @@ struct InitialVelocity {
 enum class ContactSearch { faces, closestParticle };
 
 /// system/contactDict, one pair; surfaces as in the mesh.
-struct ContactPair {
+struct ContactPair : ContactLaw {
     std::string name;
     std::vector<Index> contactorNodes;
-    std::vector<ElementSide> targetSides;
-    double friction = 0;                           ///< Coulomb coefficient
-    double normalScale = 1, tangentialScale = 0.1; ///< s_n, s_t: k = s K A^2 / V
+    std::vector<ElementSide> targetSides; ///< empty where an analytic surface is the target
+    Index surface = -1;                   ///< that surface, in Model::rigidSurfaces
     ContactSearch search = ContactSearch::faces;
 };
 
@@ -79,9 +71,11 @@ enum class Precision { double_, mixed, single };
 /// A history of the run: controlDict, functions { ... }.
 struct History {
     enum class Kind { energies, contactForces, point, reaction } kind = Kind::energies;
-    std::string name;         ///< folder under postProcessing
-    Index node = -1;          ///< point: nearest node of `part` to `position`
-    std::vector<Index> nodes; ///< reaction: constrained nodes of a boundary condition
+    std::string name;                   ///< folder under postProcessing
+    Index node = -1;                    ///< point: nearest node of `part` to `position`
+    std::vector<Index> nodes;           ///< reaction: constrained nodes of a boundary condition
+    Index condition = -1, surface = -1; ///< reaction: of a boundary condition or analytic surface
+    double factor = 1;                  ///< reaction: of the force, 4 for a quarter model
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 
@@ -111,6 +105,7 @@ struct Model {
     std::vector<Part> parts; ///< as mesh.parts
     std::vector<BoundaryCondition> boundaryConditions;
     std::vector<InitialVelocity> initialVelocities;
+    std::vector<RigidSurface> rigidSurfaces; ///< system/contactDict, surfaces with a type
     std::vector<ContactPair> contactPairs;
     Control control;
 };

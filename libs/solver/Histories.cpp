@@ -1,11 +1,14 @@
 #include "solver/Histories.h"
 
+#include "mesh/Vector.h"
+
 namespace fpm {
 
 std::vector<std::string> energyColumns()
 {
-    return {"time",    "kinetic",  "internal", "plastic",  "hourglass", "bulkViscosity",
-            "contact", "friction", "damping",  "external", "total",     "balance"};
+    return {"time",          "kinetic", "internal", "plastic",        "hourglass",
+            "bulkViscosity", "contact", "friction", "contactDamping", "damping",
+            "external",      "total",   "balance"};
 }
 
 namespace {
@@ -18,12 +21,25 @@ std::pair<int, std::string> fieldQuantity(const std::string& field)
     return {0, "u"};
 }
 
+/// What moves the condition or surface of a reaction; value 0 where it is held.
+Condition driveOf(const History& history, const Model& model, std::vector<double>& rows)
+{
+    if (history.surface >= 0) {
+        const RigidSurface& surface = model.rigidSurfaces[std::size_t(history.surface)];
+        return makeCondition(surface.motion == RigidSurface::Motion::velocity ? 1 : 0,
+                             surface.value, surface.amplitude, rows);
+    }
+    const BoundaryCondition& condition = model.boundaryConditions[std::size_t(history.condition)];
+    return makeCondition(condition.kind == BoundaryCondition::Kind::velocity ? 1 : 0,
+                         condition.value, condition.amplitude, rows);
+}
+
 } // namespace
 
 Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) : model_(model)
 {
     for (const History& history : model.control.histories) {
-        Channel channel{&history, {}};
+        Channel channel{&history, {}, {}, {}};
         const auto folder = caseRoot / "postProcessing" / history.name / "0";
         const auto add = [&](const std::string& file, const std::vector<std::string>& columns) {
             channel.files.push_back(
@@ -44,7 +60,8 @@ Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) 
             }
             break;
         case History::Kind::reaction:
-            add("reaction", {"time", "fx", "fy", "fz"});
+            add("reaction", {"time", "travel", "fx", "fy", "fz"});
+            channel.drive = driveOf(history, model, channel.driveRows);
             break;
         }
         channels_.push_back(std::move(channel));
@@ -56,8 +73,8 @@ void Histories::sample(Solver& solver, const Energies& e)
     for (Channel& channel : channels_) switch (channel.history->kind) {
         case History::Kind::energies:
             channel.files[0]->append({e.time, e.kinetic, e.internal, e.plastic, e.hourglass,
-                                      e.bulkViscosity, e.contact, e.friction, e.damping, e.external,
-                                      e.total, e.balance});
+                                      e.bulkViscosity, e.contact, e.friction, e.contactDamping,
+                                      e.damping, e.external, e.total, e.balance});
             break;
         case History::Kind::contactForces:
             sampleContact(channel, solver, e.time);
@@ -84,15 +101,27 @@ void Histories::samplePoint(Channel& channel, Solver& solver, double time)
     }
 }
 
-/// Force the condition exerts on the body: what balances element, contact and load forces. The
-/// inertia of the driven nodes themselves is not part of it.
+/// Force the condition or surface exerts on the body. Of a condition: what balances element,
+/// contact and load forces; the inertia of the driven nodes themselves is not part of it.
 void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
 {
-    const NodeValues values = solver.nodeValues(channel.history->nodes);
+    const History& history = *channel.history;
     Point sum{0, 0, 0};
-    for (std::size_t i = 0; i < values.count; ++i)
-        for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
-    channel.files[0]->append({time, sum[0], sum[1], sum[2]});
+    if (history.surface >= 0) {
+        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
+            if (model_.contactPairs[pair].surface == history.surface)
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += solver.pairForce(pair).force[c];
+    } else {
+        const NodeValues values = solver.nodeValues(history.nodes);
+        for (std::size_t i = 0; i < values.count; ++i)
+            for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
+    }
+    const Point value{channel.drive.value[0], channel.drive.value[1], channel.drive.value[2]};
+    const double size = vector::length(value);
+    const double travel =
+        size > 0 ? size * travelAt(channel.drive, channel.driveRows.data(), time) : 0;
+    channel.files[0]->append(
+        {time, travel, history.factor * sum[0], history.factor * sum[1], history.factor * sum[2]});
 }
 
 void Histories::sampleContact(Channel& channel, Solver& solver, double time)

@@ -14,10 +14,11 @@ struct Energies {
     double time = 0;
     double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
     double contact = 0; ///< recoverable, in the penalty springs
-    double friction = 0, damping = 0;
-    double external = 0; ///< done by loads and drives
+    double friction = 0, contactDamping = 0, damping = 0;
+    double external = 0; ///< done by loads, drives and moving surfaces
     double total = 0;    ///< everything held or dissipated
-    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal, external
+    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal,
+                         ///< external, lost to friction and damping
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.
@@ -26,9 +27,17 @@ struct NodalWorks {
 };
 
 struct PairForce {
-    Point force{0, 0, 0};      ///< on the contactor
-    Index active = 0;          ///< contactors in touch
-    std::int64_t released = 0; ///< let go since the start because they went too deep
+    Point force{0, 0, 0};             ///< on the contactor
+    Index active = 0;                 ///< contactors in touch
+    std::int64_t released = 0;        ///< let go since the start because they went too deep
+    double spring = 0;                ///< recoverable energy of its springs
+    double friction = 0, damping = 0; ///< dissipated since the start
+};
+
+/// The node whose contact springs are the stiffest for its mass; -1: none.
+struct NodeLimit {
+    Index node = -1;
+    double frequency = 0; ///< omega_c
 };
 
 /// Seconds spent; on a GPU only the total is known without disturbing the run.
@@ -69,6 +78,7 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual NodeLimit contactLimit() = 0;
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

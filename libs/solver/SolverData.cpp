@@ -161,20 +161,14 @@ void addMotion(SolverData& data, const Model& model)
             }
             continue;
         }
-        Condition out{};
-        out.kind = condition.kind == BoundaryCondition::Kind::displacement ? 0
-                   : condition.kind == BoundaryCondition::Kind::velocity   ? 1
-                                                                           : 2;
+        const std::int32_t kind = condition.kind == BoundaryCondition::Kind::displacement ? 0
+                                  : condition.kind == BoundaryCondition::Kind::velocity   ? 1
+                                                                                          : 2;
+        Condition out =
+            makeCondition(kind, condition.value, condition.amplitude, data.amplitudeRows);
         out.components = components;
-        out.smooth = condition.amplitude.kind == Amplitude::Kind::smooth;
-        out.firstRow = Index(data.amplitudeRows.size() / 2);
-        out.rowCount = Index(condition.amplitude.rows.size());
-        for (const auto& row : condition.amplitude.rows) {
-            data.amplitudeRows.push_back(row[0]);
-            data.amplitudeRows.push_back(row[1]);
-        }
         const double share = out.kind == 2 ? 1.0 / double(condition.nodes.size()) : 1.0;
-        for (int c = 0; c < 3; ++c) out.value[c] = share * condition.value[std::size_t(c)];
+        for (double& value : out.value) value *= share;
         for (const Index node : condition.nodes)
             uses.emplace_back(node, Index(data.conditions.size()));
         data.conditions.push_back(out);
@@ -191,6 +185,24 @@ void addMotion(SolverData& data, const Model& model)
 }
 
 } // namespace
+
+Condition makeCondition(std::int32_t kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows)
+{
+    Condition out{};
+    out.kind = kind;
+    out.smooth = amplitude.kind == Amplitude::Kind::smooth;
+    out.firstRow = Index(amplitudeRows.size() / 2);
+    out.rowCount = Index(amplitude.rows.size());
+    for (const auto& row : amplitude.rows) {
+        amplitudeRows.push_back(row[0]);
+        amplitudeRows.push_back(row[1]);
+    }
+    for (std::size_t c = 0; c < 3; ++c) out.value[c] = value[c];
+    return out;
+}
 
 SolverData makeSolverData(const Model& model)
 {

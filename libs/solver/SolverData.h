@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/RigidSurface.h"
 #include "kernels/element/ElementPass.h"
 #include "kernels/particle/Amplitude.h"
 #include "mesh/Patches.h"
@@ -20,13 +20,17 @@ struct KernelGroup {
 struct PairData {
     std::string name;
     ContactSearch search = ContactSearch::faces;
-    double friction = 0, tangentialRatio = 0.1;
+    ContactLaw law;
+    Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
+    double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, neighbour;
-    std::vector<double> faceStiffness, faceThickness;
+    std::vector<double> faceStiffness, faceThickness, faceMass;
+    std::vector<double> contactorStiffness; ///< empty where the faces' alone count
+    std::vector<double> contactorMass;
     std::vector<Index> target, targetFaceStart, targetFaces;
 };
 
@@ -58,8 +62,9 @@ struct SolverData {
     bool rigidParts = false;
 
     std::vector<PairData> pairs;
-    std::vector<Index> contactNodes;  ///< node of each contact node
-    std::vector<Index> contactNumber; ///< of each node, -1; empty without contact
+    std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
+    std::vector<Index> contactNodes;    ///< node of each contact node
+    std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
     std::vector<double> contactInverseMass;
     ForceScale contactScale;
 
@@ -80,6 +85,11 @@ struct SolverData {
 SolverData makeSolverData(const Model& model);
 /// The contact part of makeSolverData.
 void addContact(SolverData& data, const Model& model);
+/// Amplitude and value of a drive or load, its rows appended to `amplitudeRows`. `kind` as there.
+Condition makeCondition(std::int32_t kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.
