@@ -12,9 +12,6 @@ namespace fpm {
 
 namespace {
 
-/// Of a node that nothing can move; large, yet a float.
-constexpr double immovable = 1e30;
-
 /// K A^2 / V of the element behind a side: the penalty of Hallquist et al. 1985. 0: rigid.
 double penalty(const Model& model, const ElementSide& side)
 {
@@ -25,10 +22,21 @@ double penalty(const Model& model, const ElementSide& side)
     return bulk * a * a / volume(model.mesh, side.element);
 }
 
+/// 0: nothing can move the node.
 double massOf(const SolverData& data, Index node)
 {
-    const double mass = data.nodeMass[std::size_t(node)];
-    return mass > 0 && movesFreely(data, std::size_t(node)) ? mass : immovable;
+    return movesFreely(data, std::size_t(node)) ? data.nodeMass[std::size_t(node)] : 0;
+}
+
+/// Mass of the lightest corner of a face that can be moved; 0: none can.
+double faceMass(const SolverData& data, const PairData& pair, std::size_t face)
+{
+    double least = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double mass = massOf(data, pair.faceNode[4 * face + k]);
+        if (mass > 0 && (least == 0 || mass < least)) least = mass;
+    }
+    return least;
 }
 
 /// Mean K A^2 / V of the contactor's own sides around each of its nodes.
@@ -71,18 +79,13 @@ void addPenalty(PairData& out,
                 const std::vector<ElementSide>& own)
 {
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
-    for (std::size_t i = 0; i < out.faceNode.size(); i += 4) {
-        double least = immovable;
-        for (std::size_t k = 0; k < 4; ++k)
-            least = std::min(least, massOf(data, out.faceNode[i + k]));
-        out.faceMass.push_back(least);
-    }
+    for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
+        out.faceMass.push_back(faceMass(data, out, face));
     if (pair.penalty == PenaltyRule::mass) {
         const double step = firstElementStep(model), perMass = pair.normalScale / (step * step);
-        const auto stiffness = [&](double mass) { return mass < immovable ? perMass * mass : 0; };
         for (const double mass : out.contactorMass)
-            out.contactorStiffness.push_back(stiffness(mass));
-        for (const double mass : out.faceMass) out.faceStiffness.push_back(stiffness(mass));
+            out.contactorStiffness.push_back(perMass * mass);
+        for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
         return;
     }
     for (const ElementSide& side : pair.targetSides)

@@ -161,9 +161,13 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
         for (const KernelGroup& group : solver.data().groups) here |= group.hourglass == form;
         used(here, std::string("hourglass control, ") + name);
     }
-    used(!model.contactPairs.empty(), "contact search, tracking and force");
-    bool friction = false;
-    for (const ContactPair& pair : model.contactPairs) friction |= pair.friction > 0;
+    bool friction = false, faces = false, surfaces = false;
+    for (const ContactPair& pair : model.contactPairs) {
+        friction |= pair.friction > 0;
+        (pair.surface < 0 ? faces : surfaces) = true;
+    }
+    used(faces, "contact search, tracking and force");
+    used(surfaces, "contact with analytic surfaces");
     used(friction, "friction");
     used(!solver.data().conditions.empty(), "drives and loads, ledger of nodal works");
     used(model.control.massDamping > 0, "mass damping");

@@ -114,9 +114,7 @@ private:
     }
     FPM_KERNEL Work massOf(Index i, Index face) const
     {
-        if (!pair.law.damps()) return 0;
-        const Work own = pair.law.contactorMass[i], other = pair.faceMass[face];
-        return own < other ? own : other;
+        return pair.law.damps() ? pair.law.lesserMass(i, pair.faceMass[face]) : Work(0);
     }
 
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the

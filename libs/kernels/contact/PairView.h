@@ -30,7 +30,7 @@ struct PairView {
     const Index* neighbour;       ///< [4 * face + edge], edge i joins corners i and i + 1; -1: free
     const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
     const Work* faceThickness;    ///< V / A
-    const Work* faceMass;         ///< mass of its lightest corner, for contact damping
+    const Work* faceMass;         ///< of its lightest free corner, for contact damping
     const Index* target;          ///< target nodes
     const Index* targetFaceStart; ///< faces around a target node: CSR
     const Index* targetFaces;

@@ -20,7 +20,7 @@ struct PairLaw {
     double* spring;            ///< recoverable energy of normal and tangential spring
     double* dissipated;        ///< by friction, running sum
     Work dampingRatio;         ///< zeta; 0: none, and the arrays below are empty
-    const Work* contactorMass; ///< m_c
+    const Work* contactorMass; ///< m_c; 0: nothing can move the contactor
     double* dampingForce;      ///< at the last step
     double* damped;            ///< by contact damping, running sum
     Work limitFactor; ///< of the spring's share in the step bound: (sqrt(1 + zeta^2) + zeta)^2
@@ -34,6 +34,12 @@ struct PairLaw {
         if (!(own > 0) || source == PenaltySource::target) return face;
         if (source == PenaltySource::lesser) return own < face ? own : face;
         return own * face / (own + face);
+    }
+    /// m*: the lesser mass of contactor and face, of those that can be moved.
+    FPM_KERNEL Work lesserMass(Index i, Work face) const
+    {
+        const Work own = contactorMass[i];
+        return own > 0 && !(face > 0 && face < own) ? own : face;
     }
     FPM_KERNEL bool damps() const { return dampingRatio > 0; }
 

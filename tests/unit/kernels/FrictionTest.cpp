@@ -225,6 +225,13 @@ TEST(Penalty, TakesTheSideAsked)
     pair.source = PenaltySource::series;
     EXPECT_NEAR(pair.stiffness(0, 3.0), 6 / 5.0, 1e-15);
     EXPECT_EQ(pair.stiffness(0, 0.0), 2);
+
+    pair.contactorMass = own;
+    EXPECT_EQ(pair.lesserMass(0, 3.0), 2);
+    EXPECT_EQ(pair.lesserMass(0, 1.0), 1);
+    EXPECT_EQ(pair.lesserMass(0, 0.0), 2); // a face that cannot move
+    EXPECT_EQ(pair.lesserMass(1, 3.0), 3); // a contactor that cannot
+    EXPECT_EQ(pair.lesserMass(1, 0.0), 0);
 }
 
 TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
