@@ -108,9 +108,11 @@ void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
     const History& history = *channel.history;
     Point sum{0, 0, 0};
     if (history.surface >= 0) {
-        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
-            if (model_.contactPairs[pair].surface == history.surface)
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += solver.pairForce(pair).force[c];
+        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair) {
+            if (model_.contactPairs[pair].surface != history.surface) continue;
+            const PairForce force = solver.pairForce(pair);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += force.force[c];
+        }
     } else {
         const NodeValues values = solver.nodeValues(history.nodes);
         for (std::size_t i = 0; i < values.count; ++i)
