@@ -112,15 +112,6 @@ Kind kindOf(const std::string& type)
     return Kind::fixed; // also symmetry: its normal component held
 }
 
-/// A displacement that is not 0 at the start would be an infinite velocity.
-void refuseJump(const Dictionary& entry, const char* what, const char* key, double size)
-{
-    if (size != 0)
-        entry.fail(entry.has("amplitude") ? "amplitude" : key,
-                   format("the {} would jump by {} at time 0", what, toText(size, 6)),
-                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
-}
-
 void readTurn(const Dictionary& entry, BoundaryCondition& condition)
 {
     condition.constrains = {true, true, true};
@@ -238,6 +229,17 @@ Amplitude readAmplitude(const Dictionary& entry)
         entry.fail("amplitude", word + " needs at least two rows (time factor)",
                    "such as: amplitude " + word + " ((0 0) (1e-3 1));");
     return amplitude;
+}
+
+void refuseJump(const Dictionary& entry,
+                const std::string& what,
+                const std::string& key,
+                double size)
+{
+    if (size != 0)
+        entry.fail(entry.has("amplitude") ? "amplitude" : key,
+                   format("the {} would jump by {} at time 0", what, toText(size, 6)),
+                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
 }
 
 std::vector<BoundaryCondition> readBoundaryConditions(const Dictionary& dictionary,

@@ -13,11 +13,8 @@ Control readControl(const Dictionary& dictionary, Log& log);
 /// system/controlDict, massScaling: into the parts it is for.
 void readMassScaling(const Dictionary& dictionary, std::vector<Part>& parts);
 
-/// system/controlDict, functions { ... }: a point's node and a reaction's nodes are resolved.
-std::vector<History> readHistories(const Dictionary& dictionary,
-                                   const Mesh& mesh,
-                                   const std::vector<BoundaryCondition>& conditions,
-                                   const std::vector<Part>& parts,
-                                   Log& log);
+/// system/controlDict, functions { ... }: a point's node and a reaction's nodes are resolved
+/// against the mesh, parts, conditions and surfaces of `model`.
+std::vector<History> readHistories(const Dictionary& dictionary, const Model& model, Log& log);
 
 } // namespace fpm

@@ -2,6 +2,8 @@
 
 #include "mesh/Mesh.h"
 #include "model/BoundaryCondition.h"
+#include "model/ContactLaw.h"
+#include "model/RigidSurface.h"
 
 #include <array>
 #include <limits>
@@ -58,12 +60,11 @@ struct Part {
 enum class ContactSearch { faces, closestParticle };
 
 /// system/contactDict, one pair; surfaces as in the mesh.
-struct ContactPair {
+struct ContactPair : ContactLaw {
     std::string name;
     std::vector<Index> contactorNodes;
-    std::vector<ElementSide> targetSides;
-    double friction = 0;                           ///< Coulomb coefficient
-    double normalScale = 1, tangentialScale = 0.1; ///< s_n, s_t: k = s K A^2 / V
+    std::vector<ElementSide> targetSides; ///< empty where an analytic surface is the target
+    Index surface = -1;                   ///< that surface, in Model::rigidSurfaces
     ContactSearch search = ContactSearch::faces;
 };
 
@@ -72,10 +73,12 @@ enum class Precision { double_, mixed, single };
 /// A history of the run: controlDict, functions { ... }.
 struct History {
     enum class Kind { energies, contactForces, point, reaction, rigidBody } kind = Kind::energies;
-    std::string name;         ///< folder under postProcessing
-    Index node = -1;          ///< point: nearest node of `part` to `position`
-    std::vector<Index> nodes; ///< reaction: constrained nodes of a boundary condition
-    Index part = -1;          ///< rigidBody
+    std::string name;                   ///< folder under postProcessing
+    Index node = -1;                    ///< point: nearest node of `part` to `position`
+    std::vector<Index> nodes;           ///< reaction: constrained nodes of a boundary condition
+    Index condition = -1, surface = -1; ///< reaction: of a boundary condition or analytic surface
+    double factor = 1;                  ///< reaction: of the force, 4 for a quarter model
+    Index part = -1;                    ///< rigidBody
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 
@@ -108,6 +111,7 @@ struct Model {
     std::vector<Part> parts; ///< as mesh.parts
     std::vector<BoundaryCondition> boundaryConditions;
     std::vector<InitialVelocity> initialVelocities; ///< they add up
+    std::vector<RigidSurface> rigidSurfaces;        ///< system/contactDict, surfaces with a type
     std::vector<ContactPair> contactPairs;
     Control control;
 };

@@ -25,13 +25,12 @@ Dictionary dictionaryOrEmpty(const Case& theCase, const std::string& relative)
 }
 
 /// Surfaces from the mesh file, numbers from contactDict.
-std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& model, Log& log)
+void readContact(const Case& theCase, Model& model, Log& log)
 {
-    std::vector<ContactPair> pairs;
     if (!theCase.hasFile("system/contactDict")) {
         if (!model.mesh.contact.empty())
             log.line("no system/contactDict: the contact surfaces of the mesh are not used");
-        return pairs;
+        return;
     }
     if (contactIsOutdated(model.mesh, theCase))
         throw Error(ExitCode::mesh,
@@ -42,7 +41,9 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
     std::vector<bool> rigid;
     for (const Part& part : model.parts) rigid.push_back(isRigid(part.kind));
     const Dictionary contactDict = theCase.dictionary("system/contactDict");
-    for (const PairEntry& entry : readContactEntries(contactDict).pairs) {
+    const ContactEntries entries = readContactEntries(contactDict);
+    model.rigidSurfaces = entries.rigidSurfaces;
+    for (const PairEntry& entry : entries.pairs) {
         const auto surfaces =
             std::find_if(model.mesh.contact.begin(), model.mesh.contact.end(),
                          [&](const ContactSurfaces& one) { return one.pair == entry.name; });
@@ -51,11 +52,19 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
                         "constant/mesh.vtkhdf has no contact surfaces for pair '" + entry.name
                             + "'",
                         "run fpmSetContact");
-        refuseRigidPair(model.mesh, *surfaces, rigid, contactDict.sub("pairs").sub(entry.name));
-        pairs.push_back({entry.name, surfaces->contactorNodes, surfaces->targetSides,
-                         entry.friction, entry.normalScale, entry.tangentialScale, entry.search});
+        const Dictionary place = contactDict.sub("pairs").sub(entry.name);
+        ContactPair pair{entry,
+                         entry.name,
+                         surfaces->contactorNodes,
+                         surfaces->targetSides,
+                         entries.rigidSurface(entry.target),
+                         entry.search};
+        if (pair.surface >= 0)
+            refuseRigidContactor(model.mesh, *surfaces, rigid, place);
+        else
+            refuseRigidPair(model.mesh, *surfaces, rigid, place);
+        model.contactPairs.push_back(std::move(pair));
     }
-    return pairs;
 }
 
 const char* kindName(PartKind kind)
@@ -112,11 +121,9 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
 
     model.control = readControl(control, log);
     readMassScaling(control, model.parts);
-    model.control.histories =
-        readHistories(control, model.mesh, model.boundaryConditions, model.parts, log);
+    readContact(theCase, model, log);
+    model.control.histories = readHistories(control, model, log);
     control.requireAllUsed();
-
-    model.contactPairs = readContactPairs(theCase, model, log);
     report(model, log);
     return model;
 }

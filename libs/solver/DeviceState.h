@@ -73,9 +73,18 @@ struct PairState {
         neighbour;
     Of<Index> target, targetFaceStart, targetFaces, face, head, next;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction;
-    Of<double> force, spring, dissipated;
+    Of<Work> contactorStiffness, contactorMass, faceMass;
+    Of<Index> frictionFace;
+    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork;
     Of<std::int64_t> released;
     std::uint32_t mask = 0;
+
+    static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
+    /// The stored tangential force is kept in the frame of a face.
+    static bool convectedFriction(const PairData& pair)
+    {
+        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
+    }
 
     explicit PairState(const PairData& pair)
         : contactor(pair.contactor),
@@ -94,10 +103,19 @@ struct PairState {
           ownNormal(3 * pair.contactor.size()),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
-          friction(pair.friction > 0 ? 3 * pair.contactor.size() : 0),
+          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
+                                         : 0),
+          contactorStiffness(converted<Work>(pair.contactorStiffness)),
+          contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
+          faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
+          frictionFace(
+              std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
           dissipated(pair.contactor.size()),
+          dampingForce(damps(pair) ? pair.contactor.size() : 0),
+          damped(damps(pair) ? pair.contactor.size() : 0),
+          surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
           released(1)
     {
         const bool faces = pair.search == ContactSearch::faces;
@@ -113,11 +131,14 @@ struct PairState {
     {
         return (contactor.size() * 2 + ownFaceStart.size() + ownFaceNode.size()
                 + faceNode.size() * 3 + target.size() + targetFaceStart.size() + targetFaces.size()
-                + face.size() + head.size() + next.size())
+                + face.size() + head.size() + next.size() + frictionFace.size())
                    * sizeof(Index)
                + (faceStiffness.size() * 2 + ownNormal.size() + xi.size() * 2 + friction.size())
                      * sizeof(Work)
-               + (force.size() + spring.size() + dissipated.size()) * sizeof(double);
+               + (contactorStiffness.size() + contactorMass.size() + faceMass.size()) * sizeof(Work)
+               + (force.size() + spring.size() + dissipated.size() + dampingForce.size()
+                  + damped.size() + surfaceWork.size())
+                     * sizeof(double);
     }
 };
 

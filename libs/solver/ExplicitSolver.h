@@ -2,12 +2,14 @@
 
 #include "base/Error.h"
 #include "kernels/contact/ContactForce.h"
+#include "kernels/contact/RigidSurface.h"
 #include "kernels/contact/Travel.h"
 #include "kernels/element/ElementPass.h"
 #include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/ClockPass.h"
 #include "kernels/particle/PressurePass.h"
 #include "solver/DeviceState.h"
+#include "solver/PenaltyData.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
 
@@ -31,6 +33,7 @@ public:
     NodalWorks nodalWorks() override;
     PairForce pairForce(std::size_t pair) override;
     BodyMotionValues bodyMotion(std::size_t body) override;
+    NodeLimit contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
     std::uint64_t stateChecksum() override;
@@ -58,6 +61,8 @@ private:
     void moveBodies();
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
+    PairLaw<Work> pairLaw(std::size_t pair);
+    SurfaceForce<Precision> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();
     /// Blocks of contact nodes; the bounds of the bodies follow theirs.
     Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
@@ -74,7 +79,7 @@ private:
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
     StepRules rules_;
-    bool ledger_, searchesEveryStep_ = false;
+    bool ledger_, searches_ = false, searchesEveryStep_ = false;
     double startEnergy_ = 0;
     std::size_t elementScratch_;
 };
@@ -99,7 +104,10 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
     for (const PairData& pair : data_.pairs)
-        searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
+        if (pair.surface < 0) {
+            searches_ = true;
+            searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
+        }
 }
 
 template <class Precision, class Executor>
@@ -114,7 +122,7 @@ void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& bod
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::start()
 {
-    if (!data_.pairs.empty()) searchContact();
+    if (searches_) searchContact();
     computeForces();
     const Energies first = energies();
     startEnergy_ = first.total - first.external;
@@ -134,7 +142,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         // The size of the first step is not known before it is made.
         std::int64_t steps =
             std::min(searchesEveryStep_ || now.step <= 0 ? 1 : batch, last - now.steps);
-        if (!data_.pairs.empty()) steps = searchFor(now, steps);
+        if (searches_) steps = searchFor(now, steps);
         for (std::int64_t step = 0; step < steps; ++step) {
             integrate();
             computeForces();

@@ -52,16 +52,19 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     for (const auto& pair : state_.pairs) {
         for (const double energy : pair.spring.toHost()) out.contact += energy;
         for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+        for (const double energy : pair.damped.toHost()) out.contactDamping += energy;
+        for (const double work : pair.surfaceWork.toHost()) out.external += work;
     }
     if (ledger_) {
         const auto sums = works();
         out.damping = sums[NodeWork::damping];
-        out.external = sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
-                       + sums[driveAfter] + closing;
+        out.external += sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
+                        + sums[driveAfter] + closing;
     }
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
-                + out.friction + out.damping;
-    const double scale = std::max({out.kinetic, out.internal, std::abs(out.external)});
+                + out.friction + out.contactDamping + out.damping;
+    const double lost = out.friction + out.contactDamping + out.damping;
+    const double scale = std::max({out.kinetic, out.internal, std::abs(out.external), lost});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
 }
@@ -86,8 +89,30 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
     const std::size_t count = spring.size();
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t i = 0; i < count; ++i) out.force[c] += force[c * count + i];
-    for (const double energy : spring) out.active += energy > 0;
+    for (const double energy : spring) {
+        out.active += energy > 0;
+        out.spring += energy;
+    }
+    for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+    for (const double energy : pair.damped.toHost()) out.damping += energy;
     out.released = pair.released.toHost()[0];
+    return out;
+}
+
+template <class Precision, class Executor>
+NodeLimit ExplicitSolver<Precision, Executor>::contactLimit()
+{
+    executor_.synchronize();
+    NodeLimit out;
+    const std::vector<std::int64_t> sum = state_.contactSum.toHost();
+    double most = 0;
+    for (std::size_t i = 0; i < data_.contactNodes.size(); ++i) {
+        const double square =
+            data_.contactScale.toStiffness(sum[4 * i + 3]) * data_.contactInverseMass[i];
+        if (!(square > most)) continue;
+        most = square;
+        out = {data_.contactNodes[i], std::sqrt(square)};
+    }
     return out;
 }
 

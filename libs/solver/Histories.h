@@ -21,6 +21,8 @@ private:
     struct Channel {
         const History* history;
         std::vector<std::unique_ptr<HistoryFile>> files; ///< one a field or contact pair
+        Condition drive;               ///< reaction: what its condition or surface is moved by
+        std::vector<double> driveRows; ///< its amplitude
     };
     void samplePoint(Channel& channel, Solver& solver, double time);
     void sampleReaction(Channel& channel, Solver& solver, double time);

@@ -14,26 +14,9 @@ namespace {
 
 using Kind = BoundaryCondition::Kind;
 
-/// Amplitude and value as the kernels have them.
 Index addCondition(SolverData& data, const BoundaryCondition& condition)
 {
-    Condition out{};
-    out.kind = condition.kind == Kind::displacement ? ConditionKind::displacement
-               : condition.kind == Kind::velocity   ? ConditionKind::velocity
-               : condition.kind == Kind::rotation   ? ConditionKind::rotation
-               : condition.kind == Kind::pressure   ? ConditionKind::pressure
-                                                    : ConditionKind::load;
-    out.smooth = condition.amplitude.kind == Amplitude::Kind::smooth;
-    out.firstRow = Index(data.amplitudeRows.size() / 2);
-    out.rowCount = Index(condition.amplitude.rows.size());
-    for (const auto& row : condition.amplitude.rows) {
-        data.amplitudeRows.push_back(row[0]);
-        data.amplitudeRows.push_back(row[1]);
-    }
-    const Point value =
-        condition.kind == Kind::rotation ? Point{condition.angle, 0, 0} : condition.globalValue();
-    for (std::size_t c = 0; c < 3; ++c) out.value[c] = value[c];
-    data.conditions.push_back(out);
+    data.conditions.push_back(conditionOf(condition, data.amplitudeRows));
     return Index(data.conditions.size()) - 1;
 }
 
@@ -186,6 +169,36 @@ void addInitialVelocities(SolverData& data, const Model& model)
 }
 
 } // namespace
+
+Condition makeCondition(ConditionKind kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows)
+{
+    Condition out{};
+    out.kind = kind;
+    out.smooth = amplitude.kind == Amplitude::Kind::smooth;
+    out.firstRow = Index(amplitudeRows.size() / 2);
+    out.rowCount = Index(amplitude.rows.size());
+    for (const auto& row : amplitude.rows) {
+        amplitudeRows.push_back(row[0]);
+        amplitudeRows.push_back(row[1]);
+    }
+    for (std::size_t c = 0; c < 3; ++c) out.value[c] = value[c];
+    return out;
+}
+
+Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& amplitudeRows)
+{
+    const ConditionKind kind = condition.kind == Kind::displacement ? ConditionKind::displacement
+                               : condition.kind == Kind::velocity   ? ConditionKind::velocity
+                               : condition.kind == Kind::rotation   ? ConditionKind::rotation
+                               : condition.kind == Kind::pressure   ? ConditionKind::pressure
+                                                                    : ConditionKind::load;
+    const Point value =
+        condition.kind == Kind::rotation ? Point{condition.angle, 0, 0} : condition.globalValue();
+    return makeCondition(kind, value, condition.amplitude, amplitudeRows);
+}
 
 void addMotion(SolverData& data, const Model& model)
 {

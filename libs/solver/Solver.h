@@ -14,8 +14,8 @@ struct Energies {
     double time = 0;
     double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
     double contact = 0; ///< recoverable, in the penalty springs
-    double friction = 0, damping = 0;
-    double external = 0; ///< done by loads and drives
+    double friction = 0, contactDamping = 0, damping = 0;
+    double external = 0; ///< done by loads, drives and moving surfaces
     double total = 0;    ///< everything held or dissipated
     /// Kinetic over what elements hold and have dissipated: how much inertia there is in a slow
     /// run.
@@ -23,7 +23,8 @@ struct Energies {
     {
         return internal + hourglass > 0 ? kinetic / (internal + hourglass) : 0;
     }
-    double balance = 0; ///< (total - external - start) / largest of kinetic, internal, external
+    double balance = 0; ///< (total - external - start) / largest of kinetic, internal,
+                        ///< external, lost to friction and damping
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.
@@ -32,9 +33,17 @@ struct NodalWorks {
 };
 
 struct PairForce {
-    Point force{0, 0, 0};      ///< on the contactor
-    Index active = 0;          ///< contactors in touch
-    std::int64_t released = 0; ///< let go since the start because they went too deep
+    Point force{0, 0, 0};             ///< on the contactor
+    Index active = 0;                 ///< contactors in touch
+    std::int64_t released = 0;        ///< let go since the start because they went too deep
+    double spring = 0;                ///< recoverable energy of its springs
+    double friction = 0, damping = 0; ///< dissipated since the start
+};
+
+/// The node whose contact springs are the stiffest for its mass; -1: none.
+struct NodeLimit {
+    Index node = -1;
+    double frequency = 0; ///< omega_c
 };
 
 /// A rigid body at one time, in global axes.
@@ -84,7 +93,8 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
-    virtual BodyMotionValues bodyMotion(std::size_t body) = 0;          ///< as SolverData::body
+    virtual BodyMotionValues bodyMotion(std::size_t body) = 0; ///< as SolverData::body
+    virtual NodeLimit contactLimit() = 0;
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

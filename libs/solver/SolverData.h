@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/RigidSurface.h"
 #include "kernels/element/ElementPass.h"
 #include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/Relaxation.h"
@@ -22,13 +22,17 @@ struct KernelGroup {
 struct PairData {
     std::string name;
     ContactSearch search = ContactSearch::faces;
-    double friction = 0, tangentialRatio = 0.1;
+    ContactLaw law;
+    Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
+    double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, neighbour;
-    std::vector<double> faceStiffness, faceThickness;
+    std::vector<double> faceStiffness, faceThickness, faceMass;
+    std::vector<double> contactorStiffness; ///< empty where the faces' alone count
+    std::vector<double> contactorMass;
     std::vector<Index> target, targetFaceStart, targetFaces;
 };
 
@@ -82,8 +86,9 @@ struct SolverData {
     bool rigidParts = false;
 
     std::vector<PairData> pairs;
-    std::vector<Index> contactNodes;  ///< node of each contact node
-    std::vector<Index> contactNumber; ///< of each node, -1; empty without contact
+    std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
+    std::vector<Index> contactNodes;    ///< node of each contact node
+    std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
     std::vector<double> contactInverseMass;
     ForceScale contactScale;
 
@@ -116,8 +121,13 @@ void addLoadedBodyNodes(SolverData& data);
 void addContact(SolverData& data, const Model& model);
 /// Mass scaling of the elements: elementMass, scaledElements. Masses of nodes come after it.
 void scaleMass(SolverData& data, const Model& model);
-/// Stable step of an element of a part, without quadratic bulk viscosity; <= 0 when it is inverted.
-double stableStep(const Part& part, const std::array<Point, 8>& corners, double mass);
+/// Amplitude and value of a drive or load, its rows appended to `amplitudeRows`.
+Condition makeCondition(ConditionKind kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows);
+/// A boundary condition as the kernels have it.
+Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& amplitudeRows);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.

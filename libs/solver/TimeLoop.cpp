@@ -231,12 +231,10 @@ private:
         energies_ = solver_.energies();
         reportEnergies();
         reportRest();
-        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
-            if (const auto lost = solver_.pairForce(pair).released; lost > 0)
-                run_.log.warning(
-                    format("{} contactor nodes of pair {} went deeper than the target is "
-                           "thick and were let go",
-                           lost, model_.contactPairs[pair].name));
+        reportPairs(solver_, model_, run_.log);
+        if (clock_.steps > 0)
+            run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
+                                 stepLimit(solver_, model_)));
         reportPerformance(solver_, model_, run_);
         run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
     }
@@ -247,8 +245,9 @@ private:
         run_.log.line(format(
             "energies at {}: kinetic {} internal {} (plastic {}) hourglass {} bulk viscosity {}",
             e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity));
-        run_.log.line(format("  contact {} friction {} damping {} external {}  balance error {} %",
-                             e.contact, e.friction, e.damping, e.external,
+        run_.log.line(format("  contact {} friction {} contact damping {} damping {} external {}  "
+                             "balance error {} %",
+                             e.contact, e.friction, e.contactDamping, e.damping, e.external,
                              toText(100 * e.balance, 3)));
     }
 

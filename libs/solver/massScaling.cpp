@@ -1,43 +1,6 @@
-#include "solver/SolverData.h"
-
-#include <cmath>
+#include "solver/ElementStep.h"
 
 namespace fpm {
-
-namespace {
-
-/// An element whose points are never stored: all are at rest without stress.
-struct NoState {
-    void load(int, ElementState<double>& to) const { to = {}; }
-    void store(int, const ElementState<double>&, double) const {}
-};
-
-Modes<double> modesOf(const std::array<Point, 8>& corners)
-{
-    Modes<double> x{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        double corner[8], modes[8];
-        for (std::size_t i = 0; i < 8; ++i) corner[i] = corners[i][c] - corners[0][c];
-        toModes(corner, modes);
-        for (int m = 1; m < 8; ++m)
-            (c == 0 ? x.mode[m].x : c == 1 ? x.mode[m].y : x.mode[m].z) = modes[m];
-    }
-    return x;
-}
-
-} // namespace
-
-double stableStep(const Part& part, const std::array<Point, 8>& corners, double mass)
-{
-    const MaterialConstants<double> m = materialConstants(part);
-    const Modes<double> x = modesOf(corners);
-    Modes<double> still{};
-    if (part.hexahedron == HexahedronForm::selective)
-        return updateSelective<Elastic>(m, x, still, mass, 0.0, NoState{}).stableTimeStep;
-    ElementState<double> state{};
-    return updateHexahedron<Elastic, StiffnessHourglass>(m, x, still, mass, 0.0, 0.5, state)
-        .stableTimeStep;
-}
 
 void scaleMass(SolverData& data, const Model& model)
 {
@@ -49,12 +12,9 @@ void scaleMass(SolverData& data, const Model& model)
         const double own = mass;
         mass *= part.massFactor;
         if (part.targetStep > 0) {
-            std::array<Point, 8> corners;
-            for (std::size_t i = 0; i < 8; ++i)
-                corners[i] =
-                    model.mesh.points[std::size_t(model.mesh.hexahedra[std::size_t(element)][i])];
             // The step grows with the square root of the mass.
-            const double ratio = part.targetStep / stableStep(part, corners, mass);
+            const double ratio =
+                part.targetStep / stableStep(part, cornersOf(model.mesh, element), mass);
             if (ratio > 1) mass *= ratio * ratio;
         }
         data.scaledElements += mass > own;

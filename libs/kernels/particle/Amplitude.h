@@ -62,4 +62,33 @@ FPM_KERNEL double drivenVelocity(const Condition& condition,
     return (pathAt(condition, use, rows, end) - pathAt(condition, use, rows, end - step)) / step;
 }
 
+/// Integral of the factor from the first row to `time`.
+FPM_KERNEL double
+amplitudeIntegralFromFirstRow(const Condition& condition, const double* rows, double time)
+{
+    const double* row = rows + 2 * std::size_t(condition.firstRow);
+    if (time <= row[0]) return (time - row[0]) * row[1];
+    double sum = 0;
+    for (Index i = 1; i < condition.rowCount; ++i) {
+        const double start = row[2 * i - 2], from = row[2 * i - 1], rise = row[2 * i + 1] - from;
+        const double length = row[2 * i] - start;
+        const double tau = time < row[2 * i] ? (time - start) / length : 1;
+        const double square = tau * tau;
+        const double share =
+            condition.smooth ? square * square * (2.5 + tau * (tau - 3)) : 0.5 * square;
+        sum += length * (from * tau + rise * share);
+        if (time < row[2 * i]) return sum;
+    }
+    const Index last = condition.rowCount - 1;
+    return sum + (time - row[2 * last]) * row[2 * last + 1];
+}
+
+/// Way a driven set has made since time 0, in units of the condition's value.
+FPM_KERNEL double travelAt(const Condition& condition, const double* rows, double time)
+{
+    if (condition.kind != ConditionKind::velocity) return amplitudeAt(condition, rows, time);
+    return amplitudeIntegralFromFirstRow(condition, rows, time)
+           - amplitudeIntegralFromFirstRow(condition, rows, 0);
+}
+
 } // namespace fpm

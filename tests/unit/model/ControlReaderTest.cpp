@@ -25,9 +25,14 @@ std::vector<History> readFunctions(const std::string& text, Log log = Log::quiet
     BoundaryCondition weight;
     weight.name = "weight";
     weight.kind = BoundaryCondition::Kind::force;
-    return readHistories(Dictionary::parse("functions { " + text + " }"),
-                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, {Part{}},
-                         log);
+    Model model;
+    model.mesh = test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}});
+    model.boundaryConditions = {press, weight};
+    model.parts = {Part{}};
+    model.rigidSurfaces.resize(2);
+    model.rigidSurfaces[0].name = "wall";
+    model.rigidSurfaces[1].name = "upperDie";
+    return readHistories(Dictionary::parse("functions { " + text + " }"), model, log);
 }
 
 } // namespace
@@ -159,6 +164,22 @@ TEST(HistoryReader, SumsAReactionOverTheNodesOfItsCondition)
 {
     EXPECT_EQ(readFunctions("f { type reaction; condition press; }")[0].nodes,
               (std::vector<Index>{1, 2}));
+}
+
+TEST(HistoryReader, TakesTheReactionOfAnAnalyticSurfaceAndAFactor)
+{
+    const History die = readFunctions("f { type reaction; surface upperDie; factor 4; }")[0];
+    EXPECT_EQ(die.surface, 1);
+    EXPECT_EQ(die.condition, -1);
+    EXPECT_EQ(die.factor, 4);
+    EXPECT_EQ(readFunctions("f { type reaction; condition press; }")[0].condition, 0);
+    EXPECT_TRUE(contains(refusal([] { readFunctions("f { type reaction; surface uperDie; }"); }),
+                         "did you mean 'upperDie'?"));
+    EXPECT_TRUE(contains(
+        refusal([] { readFunctions("f { type reaction; surface wall; condition press; }"); }),
+        "both 'condition' and 'surface' are given"));
+    EXPECT_TRUE(contains(
+        refusal([] { readFunctions("f { type reaction; surface wall; factor 0; }"); }), "factor"));
 }
 
 TEST(HistoryReader, RefusesWhatIsNotThere)
