@@ -56,6 +56,7 @@ struct SolverData {
     std::vector<Condition> conditions;
     std::vector<double> amplitudeRows;
     bool rigidParts = false;
+    bool erodes = false, heats = false; ///< some part does
 
     std::vector<PairData> pairs;
     std::vector<Index> contactNodes;  ///< node of each contact node

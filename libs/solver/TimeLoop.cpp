@@ -219,6 +219,7 @@ private:
                     format("{} contactor nodes of pair {} went deeper than the target is "
                            "thick and were let go",
                            lost, model_.contactPairs[pair].name));
+        reportErosion();
         reportPerformance(solver_, model_, run_);
         run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
     }
@@ -232,6 +233,25 @@ private:
         run_.log.line(format("  contact {} friction {} damping {} external {}  balance error {} %",
                              e.contact, e.friction, e.damping, e.external,
                              toText(100 * e.balance, 3)));
+    }
+
+    void reportErosion()
+    {
+        if (!solver_.data().erodes) return;
+        const ElementValues values = solver_.elementValues();
+        for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+            const MeshPart& part = model_.mesh.parts[p];
+            Index deleted = 0;
+            double energy = 0;
+            for (Index e = part.firstElement; e < part.firstElement + part.elementCount; ++e) {
+                deleted += values.deleted[std::size_t(e)];
+                energy += values.eroded[std::size_t(e)];
+            }
+            if (deleted > 0)
+                run_.log.line(format("part {}: {} elements deleted, eroded {} (elastic energy they "
+                                     "held, part of internal)",
+                                     part.name, deleted, energy));
+        }
     }
 
     void writeStatus(const std::string& state)

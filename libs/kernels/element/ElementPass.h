@@ -4,6 +4,7 @@
 #include "kernels/element/Hexahedron.h"
 #include "kernels/element/StateLayout.h"
 #include "kernels/particle/StepClock.h"
+#include "parallel/Atomic.h"
 #include "parallel/Precision.h"
 
 namespace fpm {
@@ -53,12 +54,13 @@ struct ElementPass {
     std::size_t nodeStride;
     const Work* mass;   ///< tiles of 1
     Work* state;        ///< tiles of the part's StateLayout
-    Sum* plasticStrain; ///< likewise
+    Sum* plasticStrain; ///< likewise, with the rises of temperature
     Work* slotForce;    ///< three planes, slotStride apart
     std::size_t slotStride;
     double* patchEnergy; ///< [patch][elementEnergies], running sums
     double* patchStep;   ///< [patch], stable step
     const StepClock* clock;
+    std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
 
     template <class Team>
@@ -95,7 +97,11 @@ struct ElementPass {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
-        return {1, Hourglass::stateSize, Material::plastic && (!Material::general || m.rows > 0)};
+        if constexpr (!Material::general)
+            return {1, Hourglass::stateSize, Material::plastic};
+        else
+            return {1, Hourglass::stateSize, m.rows > 0 || m.general.erodes,
+                    m.general.kinematicModulus > Work(0), m.general.heatPerWork > Work(0)};
     }
 
 private:
@@ -148,6 +154,9 @@ private:
             store(sums + 2 * patchCapacity + e, step.hourglass);
             store(sums + 3 * patchCapacity + e, step.bulkViscosity);
             store(sums + 4 * patchCapacity + e, step.stableTimeStep);
+            if constexpr (Material::general)
+                if (m.general.erodes && NumberTraits<T>::any(step.deletes > T(Work(0))))
+                    atomicAdd64(deletions, 1);
         });
     }
 
@@ -166,6 +175,27 @@ private:
     }
 
     template <class T>
+    FPM_KERNEL static Sym3<T> loadTensor(const Work* s, Index stride)
+    {
+        return {load<T>(s),
+                load<T>(s + stride),
+                load<T>(s + 2 * stride),
+                load<T>(s + 3 * stride),
+                load<T>(s + 4 * stride),
+                load<T>(s + 5 * stride)};
+    }
+    template <class T>
+    FPM_KERNEL static void storeTensor(Work* s, Index stride, const Sym3<T>& from)
+    {
+        store(s, from.xx);
+        store(s + stride, from.yy);
+        store(s + 2 * stride, from.zz);
+        store(s + 3 * stride, from.xy);
+        store(s + 4 * stride, from.yz);
+        store(s + 5 * stride, from.zx);
+    }
+
+    template <class T>
     FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
                               ElementState<T>& to,
                               const PatchHeader& patch,
@@ -174,14 +204,19 @@ private:
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
         const Work* s = state + patch.state + e;
-        to.stress = {load<T>(s),
-                     load<T>(s + stride),
-                     load<T>(s + 2 * stride),
-                     load<T>(s + 3 * stride),
-                     load<T>(s + 4 * stride),
-                     load<T>(s + 5 * stride)};
+        to.stress = loadTensor<T>(s, stride);
         to.equivalentPlasticStrain =
             layout.plastic ? load<T>(plasticStrain + patch.strains + e) : T(Work(0));
+        if constexpr (Material::general) {
+            to.backstress =
+                Sym3<T>{T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0))};
+            to.temperatureRise = T(Work(0));
+            if (layout.kinematic)
+                to.backstress = loadTensor<T>(s + layout.backstress(0) * stride, stride);
+            if (layout.heats)
+                to.temperatureRise =
+                    load<T>(plasticStrain + patch.strains + layout.temperature(0) * stride + e);
+        }
         if constexpr (Hourglass::stateSize > 0) {
             const Work* q = s + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j)
@@ -200,14 +235,16 @@ private:
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
         Work* s = state + patch.state + e;
-        store(s, from.stress.xx);
-        store(s + stride, from.stress.yy);
-        store(s + 2 * stride, from.stress.zz);
-        store(s + 3 * stride, from.stress.xy);
-        store(s + 4 * stride, from.stress.yz);
-        store(s + 5 * stride, from.stress.zx);
+        storeTensor(s, stride, from.stress);
         if (layout.plastic)
             accumulate(plasticStrain + patch.strains + e, step.plasticStrainIncrement);
+        if constexpr (Material::general) {
+            if (layout.kinematic)
+                storeTensor(s + layout.backstress(0) * stride, stride, from.backstress);
+            if (layout.heats)
+                accumulate(plasticStrain + patch.strains + layout.temperature(0) * stride + e,
+                           step.temperatureIncrement);
+        }
         if constexpr (Hourglass::stateSize > 0) {
             Work* q = s + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {

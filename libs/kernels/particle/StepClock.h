@@ -19,9 +19,10 @@ struct StepClock {
     double elementStep = 0;      ///< last bound from elements alone
     double contactFrequency = 0; ///< last bound omega_c of the contact springs
     std::int64_t steps = 0;
-    std::int32_t running = 1; ///< 0: `stop` is reached, nothing moves
-    std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
-                              ///< step is beyond the bound; nothing moves
+    std::int64_t deletions = 0; ///< changes whenever elements are deleted
+    std::int32_t running = 1;   ///< 0: `stop` is reached, nothing moves
+    std::int32_t failed = 0;    ///< 1: an element inverted or a number is not finite; 2: the fixed
+                                ///< step is beyond the bound; nothing moves
 };
 
 /// Rules of the step size, fixed for a run.
