@@ -54,12 +54,21 @@ FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
     const T toRate =
         viscous ? naturalLogarithm(T(point.rate / g.referenceRate)) : zero; // ln(rate/ref) = z + it
 
-    // Upper bounds: without hardening and rate, and with the rate alone.
+    // Upper bounds: without hardening and rate, with the rate alone, with the power law alone.
     T z = naturalLogarithm(maximum((trial - slow) * T(Real(1) / stiffness), tiny));
     if (viscous) {
         const T excess = maximum((trial - slow) / slow, tiny);
         const T alone = logRateOfFactor(g, excess) - toRate;
         z = select(alone < z, alone, z);
+    }
+    if (g.powerModulus > Real(0)) {
+        // With the power law alone (e + d)^n = e^n + ..., where the root is no difference of
+        // equals: at first yield its slope has no end.
+        const T n = T(g.powerExponent), e = maximum(point.plasticStrain, zero);
+        const T grown = power(e, n) + (trial - slow) / (softening * T(g.powerModulus));
+        const T sum = power(grown, T(Real(1) / g.powerExponent));
+        const T alone = naturalLogarithm(maximum(sum - e, tiny));
+        z = select(T(Real(0.1)) * sum < sum - e, select(alone < z, alone, z), z);
     }
     const T bound = z;
     for (int iteration = 0; iteration < returnIterations; ++iteration) {
