@@ -119,7 +119,7 @@ TEST(PartReader, RefusesPhysicsOutOfRange)
 
 TEST(PartReader, RefusesPlasticityInARigidPart)
 {
-    EXPECT_TRUE(contains(refusalOf("model rigid; yieldStress 5;"), "no meaning for model rigid"));
+    EXPECT_TRUE(contains(refusalOf("model rigid; yieldStress 5;"), "no meaning for a rigid part"));
 }
 
 TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
