@@ -23,7 +23,11 @@ enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
 /// One integration point with hourglass control, or eight with the mean dilatation (B-bar).
 enum class HexahedronForm { reduced, selective };
 enum class HourglassForm { stiffness, viscous, physical };
-enum class HourglassPlastic { elastic, coupled }; ///< physical form when the section yields
+/// Physical form when the section yields.
+enum class HourglassPlastic { elastic, coupled, tangent };
+enum class RateDependence { none, cowperSymonds, johnsonCook };
+
+inline constexpr std::size_t mostHardeningRows = 32; ///< of a part
 
 struct Hardening {
     double equivalentPlasticStrain; ///< [-], ascending, first 0
@@ -38,6 +42,26 @@ struct GivenInertia {
     std::array<double, 6> inertia{}; ///< about the centre: xx yy zz xy yz zx, xy = -sum m x y
 };
 
+/// Yield stress beyond its hardening rows, and what becomes of plastic work; all off by default.
+struct Flow {
+    double kinematicModulus = 0;                ///< H_k, Prager's rule [stress]
+    double powerModulus = 0, powerExponent = 0; ///< B, n of Johnson and Cook
+    RateDependence rate = RateDependence::none;
+    double referenceRate = 0;   ///< Cowper-Symonds D, Johnson-Cook rate0 [1/time]
+    double rateCoefficient = 0; ///< 1/p, C
+    double softeningExponent = 0, meltingTemperature = 0, roomTemperature = 293; ///< m of 1 - T*^m
+    double heatFraction = 0, specificHeat = 0; ///< Taylor-Quinney; [energy/(mass temperature)]
+    double temperature = 293;                  ///< at the start
+    bool operator==(const Flow&) const = default;
+};
+
+/// When elements of a part are deleted.
+struct ElementErosion {
+    double plasticStrain = 0; ///< > 0: beyond this equivalent plastic strain
+    bool inverted = false;    ///< when an element turns inside out
+    bool any() const { return plasticStrain > 0 || inverted; }
+};
+
 /// constant/partProperties, one part.
 struct Part {
     std::string name;
@@ -48,6 +72,8 @@ struct Part {
     HexahedronForm hexahedron = HexahedronForm::reduced;
     RotationForm rotation = RotationForm::midSurface; ///< selective: always hughesWinget
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
+    Flow flow;
+    ElementErosion erosion;
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;

@@ -1,49 +1,11 @@
 #include "model/PartReader.h"
 
-#include "base/Format.h"
-#include "dictionary/Suggestion.h"
+#include "model/MaterialReader.h"
 #include "model/Names.h"
-
-#include <algorithm>
 
 namespace fpm {
 
 namespace {
-
-/// A part's own entries, then those of the part it is `like`, and so on.
-using Lineage = std::vector<Dictionary>;
-
-Lineage lineageOf(const Dictionary& parts, const std::string& name)
-{
-    Lineage lineage;
-    std::vector<std::string> names;
-    for (std::string next = name;;) {
-        lineage.push_back(parts.sub(next));
-        names.push_back(next);
-        const Dictionary& entry = lineage.back();
-        if (!entry.has("like")) return lineage;
-        next = entry.word("like");
-        if (!parts.has(next))
-            entry.fail("like", "no part '" + next + "' to be like",
-                       nameAdvice(next, parts.keys(), "entries of parts"));
-        if (std::find(names.begin(), names.end(), next) != names.end())
-            entry.fail("like", "'like' goes round in a circle: " + listed(names) + ", " + next,
-                       "give the entries in one of these parts");
-    }
-}
-
-/// The first of the lineage that has `key`; the part itself when none has.
-const Dictionary& holder(const Lineage& lineage, std::string_view key)
-{
-    for (const Dictionary& entry : lineage)
-        if (entry.has(key)) return entry;
-    return lineage.front();
-}
-
-double number(const Lineage& lineage, std::string_view key, const Range& range)
-{
-    return holder(lineage, key).number(key, range);
-}
 
 PartKind readKind(const Lineage& lineage)
 {
@@ -54,48 +16,6 @@ PartKind readKind(const Lineage& lineage)
            : word == "elastoplastic"   ? PartKind::elastoplastic
            : word == "rigidPrescribed" ? PartKind::rigidPrescribed
                                        : PartKind::rigidFree;
-}
-
-std::vector<Hardening> readTable(const Dictionary& entry)
-{
-    for (const char* other : {"yieldStress", "plasticModulus"})
-        if (entry.has(other))
-            entry.fail(other, format("'{}' and 'hardening' both describe the yield stress", other),
-                       "keep one of them");
-    if (entry.leadingWord("hardening") != "table")
-        entry.fail("hardening", "unknown hardening '" + entry.leadingWord("hardening") + "'",
-                   "write: hardening table ((0 285) (0.1 375)), rows of equivalent plastic strain "
-                   "and yield stress");
-
-    std::vector<Hardening> table;
-    for (const auto& row : entry.tailRows("hardening", 2)) {
-        const bool first = table.empty();
-        if (first ? row[0] != 0 : row[0] <= table.back().equivalentPlasticStrain)
-            entry.fail("hardening", first ? "the first row must be at plastic strain 0"
-                                          : "plastic strains must ascend: " + toText(row[0], 6)
-                                                + " follows "
-                                                + toText(table.back().equivalentPlasticStrain, 6));
-        if (row[1] <= 0 || (!first && row[1] < table.back().yieldStress))
-            entry.fail("hardening",
-                       "yield stresses must be > 0 and must not fall: " + toText(row[1], 6),
-                       "softening gives results that depend on the mesh and is refused");
-        table.push_back({row[0], row[1]});
-    }
-    if (table.empty()) entry.fail("hardening", "the table has no rows");
-    return table;
-}
-
-/// The nearest of the lineage that speaks of hardening decides between table and straight line.
-std::vector<Hardening> readHardening(const Lineage& lineage)
-{
-    for (const Dictionary& entry : lineage) {
-        if (entry.has("hardening")) return readTable(entry);
-        if (entry.has("yieldStress") || entry.has("plasticModulus")) break;
-    }
-    const double yieldStress = number(lineage, "yieldStress", positive());
-    const double modulus =
-        holder(lineage, "plasticModulus").numberOr("plasticModulus", 0.0, nonNegative());
-    return {{0.0, yieldStress}, {1.0, yieldStress + modulus}};
 }
 
 void readHourglass(const Lineage& lineage, Part& part)
@@ -113,10 +33,11 @@ void readHourglass(const Lineage& lineage, Part& part)
         preset = largest = 1.0;
     }
     part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
-    part.hourglassPlastic =
-        entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic"
-            ? HourglassPlastic::elastic
-            : HourglassPlastic::coupled;
+    const std::string plastic =
+        entry.choiceOr("plastic", "coupled", {"elastic", "coupled", "tangent"});
+    part.hourglassPlastic = plastic == "elastic"   ? HourglassPlastic::elastic
+                            : plastic == "tangent" ? HourglassPlastic::tangent
+                                                   : HourglassPlastic::coupled;
 }
 
 RotationForm readRotation(const Lineage& lineage)
@@ -143,17 +64,10 @@ void readElement(const Lineage& lineage, Part& part)
         entry.fail("rotation", "hexahedron selective turns every integration point by its spin",
                    "write: rotation hughesWinget; or remove the entry");
     part.rotation = RotationForm::hughesWinget;
-}
-
-/// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
-void refusePlasticity(const Dictionary& own, PartKind kind)
-{
-    for (const char* key : {"yieldStress", "plasticModulus", "hardening"})
-        if (own.has(key))
-            own.fail(key,
-                     format("'{}' has no meaning for model {}", key,
-                            kind == PartKind::rigidFree ? "rigidFree" : "rigidPrescribed"),
-                     "use model elastoplastic, or remove it");
+    if (part.erosion.any())
+        holder(lineage, "erosion")
+            .fail("erosion", "elements of hexahedron selective are never deleted",
+                  "use hexahedron reduced, or remove the entry");
 }
 
 /// Leading minors of a symmetric matrix xx yy zz xy yz zx.
@@ -210,7 +124,7 @@ void readFreeBody(const Lineage& lineage, Part& part)
 
 void readRigid(const Lineage& lineage, Part& part)
 {
-    refusePlasticity(lineage.front(), part.kind);
+    refuseFlow(lineage.front());
     part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
     part.youngsModulus =
         holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
@@ -233,9 +147,10 @@ Part readPart(const Dictionary& parts, const std::string& name)
     part.youngsModulus = number(lineage, "youngsModulus", positive());
     part.poissonsRatio = number(lineage, "poissonsRatio", {-1, 0.5, true, true});
     if (part.kind == PartKind::elastoplastic)
-        part.hardening = readHardening(lineage);
-    else if (lineage.front().has("yieldStress") || lineage.front().has("hardening"))
-        readHardening(lineage); // checked, not used: elastic and plastic differ by one word
+        readFlow(lineage, part);
+    else
+        checkUnusedFlow(lineage, part); // elastic and plastic differ by one word
+    readErosion(lineage, part);
     readElement(lineage, part);
     readHourglass(lineage, part);
     const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");

@@ -41,7 +41,23 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                                    {},
                                    {},
                                    {}};
-        to.general.rotation = m.general.rotation;
+        const GeneralConstants<double>& g = m.general;
+        to.general = {g.rotation,
+                      Work(g.kinematicModulus),
+                      Work(g.powerModulus),
+                      Work(g.powerExponent),
+                      g.rateLaw,
+                      Work(g.referenceRate),
+                      Work(g.rateCoefficient),
+                      Work(g.heatPerWork),
+                      Work(g.temperature),
+                      Work(g.softeningExponent),
+                      Work(g.roomTemperature),
+                      Work(g.inverseMeltingRange),
+                      Work(g.erosionStrain),
+                      g.erodes,
+                      g.erodesInverted,
+                      g.tangentHourglass};
         for (int row = 0; row < m.rows; ++row) {
             to.strain[row] = Work(m.strain[row]);
             to.stress[row] = Work(m.stress[row]);

@@ -9,6 +9,7 @@
 #include "kernels/particle/ClockPass.h"
 #include "kernels/particle/PressurePass.h"
 #include "solver/DeviceState.h"
+#include "solver/Erosion.h"
 #include "solver/PenaltyData.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
@@ -59,6 +60,9 @@ private:
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
     void moveBodies();
+    void renewContact();
+    void renewPair(std::size_t pair, const PairRenewal& from);
+    void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
     PairLaw<Work> pairLaw(std::size_t pair);
@@ -82,6 +86,9 @@ private:
     bool ledger_, searches_ = false, searchesEveryStep_ = false;
     double startEnergy_ = 0;
     std::size_t elementScratch_;
+    std::unique_ptr<Erosion> erosion_;         ///< null unless deletions change contact surfaces
+    std::int64_t deletions_ = 0;               ///< those the contact surfaces know
+    double lostSpring_ = 0, lostFriction_ = 0; ///< energies of contactors that are none any more
 };
 
 template <class Precision, class Executor>
@@ -103,6 +110,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
+    if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const PairData& pair : data_.pairs)
         if (pair.surface < 0) {
             searches_ = true;
@@ -149,6 +157,8 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         }
         executor_.synchronize();
         now = clock();
+        if (erosion_ && now.deletions != deletions_) renewContact();
+        deletions_ = now.deletions;
     }
     times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
 }
@@ -247,6 +257,7 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .patchEnergy = state_.patchEnergy.data(),
         .patchStep = state_.patchStep.data(),
         .clock = state_.clock.data(),
+        .deletions = &state_.clock.data()->deletions,
         .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0)};
     executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
 }
@@ -288,4 +299,5 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
 
 #include "solver/ExplicitSolverBodies.h"
 #include "solver/ExplicitSolverContact.h"
+#include "solver/ExplicitSolverErosion.h"
 #include "solver/ExplicitSolverResults.h"

@@ -49,6 +49,8 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.hourglass += patches[i + 2];
         out.bulkViscosity += patches[i + 3];
     }
+    out.contact = lostSpring_;
+    out.friction = lostFriction_;
     for (const auto& pair : state_.pairs) {
         for (const double energy : pair.spring.toHost()) out.contact += energy;
         for (const double energy : pair.dissipated.toHost()) out.friction += energy;
@@ -134,7 +136,7 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
 {
     executor_.synchronize();
     const auto state = state_.state.toHost();
-    const auto strain = state_.plasticStrain.toHost();
+    const auto sums = state_.plasticStrain.toHost();
     ElementValues out;
     for (Index element = 0; element < data_.elementCount; ++element) {
         const ElementPlace place = data_.placeOf(element);
@@ -146,9 +148,20 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
                 sum += double(values[first + std::size_t(step * point) * place.stride]);
             return count > 0 ? sum / count : 0.0;
         };
+        const double strain = mean(sums, place.strains, 1, layout.strains());
+        const bool deleted = isDeleted(strain);
         for (std::size_t k = 0; k < 6; ++k)
-            out.stress.push_back(mean(state, place.state + k * place.stride, 6, layout.points));
-        out.plasticStrain.push_back(mean(strain, place.strains, 1, layout.strains()));
+            out.stress.push_back(
+                deleted ? 0 : mean(state, place.state + k * place.stride, 6, layout.points));
+        out.plasticStrain.push_back(plasticStrainOf(strain));
+        out.deleted.push_back(deleted);
+        out.eroded.push_back(deleted ? double(state[place.state]) : 0);
+        const double start = data_.materials[place.part].general.temperature;
+        if (data_.heats)
+            out.temperature.push_back(
+                start
+                + mean(sums, place.strains + std::size_t(layout.temperature(0)) * place.stride, 1,
+                       layout.heats ? layout.points : 0));
     }
     return out;
 }
@@ -167,7 +180,7 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
         const StateLayout& layout = data_.layouts[place.part];
         for (std::size_t k = 0; k < std::size_t(layout.size()); ++k)
             hash = hashed(hash, state[place.state + k * place.stride]);
-        for (std::size_t k = 0; k < std::size_t(layout.strains()); ++k)
+        for (std::size_t k = 0; k < std::size_t(layout.sums()); ++k)
             hash = hashed(hash, strain[place.strains + k * place.stride]);
     }
     for (const auto& pair : state_.pairs)

@@ -13,7 +13,7 @@ namespace fpm {
 struct Energies {
     double time = 0;
     double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
-    double contact = 0; ///< recoverable, in the penalty springs
+    double contact = 0; ///< in the penalty springs, recoverable but for those of deleted faces
     double friction = 0, contactDamping = 0, damping = 0;
     double external = 0; ///< done by loads, drives and moving surfaces
     double total = 0;    ///< everything held or dissipated
@@ -75,6 +75,9 @@ struct NodeValues {
 struct ElementValues {
     std::vector<double> stress;        ///< [element][6], XX YY ZZ XY YZ XZ
     std::vector<double> plasticStrain; ///< [element]
+    std::vector<bool> deleted;         ///< [element]
+    std::vector<double> eroded;        ///< [element], elastic energy at its deletion
+    std::vector<double> temperature;   ///< [element]; empty where no part heats
 };
 
 /// A model in motion. One abstract door; behind it everything is compiled for one precision and one

@@ -9,6 +9,44 @@
 
 namespace fpm {
 
+namespace {
+
+bool softensHourglass(const Part& part)
+{
+    return part.kind == PartKind::elastoplastic && part.hourglass == HourglassForm::physical
+           && part.hourglassPlastic == HourglassPlastic::tangent;
+}
+
+static_assert(int(RateDependence::cowperSymonds) == int(RateLaw::cowperSymonds)
+              && int(RateDependence::johnsonCook) == int(RateLaw::logarithmic));
+
+GeneralConstants<double> generalConstants(const Part& part)
+{
+    GeneralConstants<double> g{};
+    g.rotation = RotationRule(int(part.rotation));
+    g.erodes = part.erosion.any();
+    g.erodesInverted = part.erosion.inverted;
+    g.erosionStrain = part.erosion.plasticStrain > 0 ? part.erosion.plasticStrain : 1e30;
+    const Flow& flow = part.flow;
+    g.temperature = flow.temperature;
+    if (part.kind != PartKind::elastoplastic) return g;
+    g.tangentHourglass = softensHourglass(part);
+    g.kinematicModulus = flow.kinematicModulus;
+    g.powerModulus = flow.powerModulus;
+    g.powerExponent = flow.powerExponent;
+    g.rateLaw = RateLaw(int(flow.rate));
+    g.referenceRate = flow.referenceRate;
+    g.rateCoefficient = flow.rateCoefficient;
+    g.heatPerWork = flow.heatFraction > 0 ? flow.heatFraction / flow.specificHeat : 0;
+    g.softeningExponent = flow.softeningExponent;
+    g.roomTemperature = flow.roomTemperature;
+    if (flow.softeningExponent > 0)
+        g.inverseMeltingRange = 1 / (flow.meltingTemperature - flow.roomTemperature);
+    return g;
+}
+
+} // namespace
+
 MaterialConstants<double> materialConstants(const Part& part)
 {
     MaterialConstants<double> m{};
@@ -29,7 +67,8 @@ MaterialConstants<double> materialConstants(const Part& part)
                                  && part.kind == PartKind::elastoplastic
                              ? 1
                              : 0;
-    m.rows = int(std::min<std::size_t>(part.hardening.size(), maxHardeningRows));
+    static_assert(mostHardeningRows <= std::size_t(maxHardeningRows));
+    m.rows = int(part.hardening.size());
     for (int row = 0; row < m.rows; ++row) {
         const Hardening& here = part.hardening[std::size_t(row)];
         m.strain[row] = here.equivalentPlasticStrain;
@@ -41,14 +80,16 @@ MaterialConstants<double> materialConstants(const Part& part)
         } else // the last slope continues
             m.slope[row] = row > 0 ? m.slope[row - 1] : 0;
     }
-    m.general.rotation = RotationRule(int(part.rotation));
+    m.general = generalConstants(part);
     return m;
 }
 
 bool needsGeneralPlasticity(const Part& part)
 {
-    return part.rotation != RotationForm::midSurface
-           || part.hexahedron == HexahedronForm::selective;
+    return part.rotation != RotationForm::midSurface || part.hexahedron == HexahedronForm::selective
+           || part.erosion.any()
+           || (part.kind == PartKind::elastoplastic
+               && (part.flow != Flow{} || softensHourglass(part)));
 }
 
 namespace {
@@ -62,9 +103,14 @@ StateLayout stateLayout(const Part& part)
 {
     if (isRigid(part.kind)) return {0, 0, false};
     const bool plastic = part.kind == PartKind::elastoplastic;
-    if (part.hexahedron == HexahedronForm::selective)
-        return {SelectiveIntegration::points, SelectiveIntegration::stateSize, plastic};
-    return {1, part.hourglass == HourglassForm::viscous ? 0 : 12, plastic};
+    StateLayout layout{1, part.hourglass == HourglassForm::viscous ? 0 : 12,
+                       plastic || part.erosion.any(), plastic && part.flow.kinematicModulus > 0,
+                       plastic && part.flow.heatFraction > 0};
+    if (part.hexahedron == HexahedronForm::selective) {
+        layout.points = SelectiveIntegration::points;
+        layout.hourglass = SelectiveIntegration::stateSize;
+    }
+    return layout;
 }
 
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
@@ -91,7 +137,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
                                 patch.part, data.stateSize, data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
-        data.strainCount += std::size_t(layout.strains()) * std::size_t(stride);
+        data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
         data.maxPatchNodes = std::max(data.maxPatchNodes, std::size_t(patch.nodeCount));
         data.corners.resize(8 * std::size_t(tile + stride));
         data.elementMass.resize(std::size_t(tile + stride));
@@ -186,7 +232,11 @@ SolverData makeSolverData(const Model& model)
     SolverData data;
     data.nodeCount = Index(model.mesh.points.size());
     data.elementCount = Index(model.mesh.hexahedra.size());
-    for (const Part& part : model.parts) data.materials.push_back(materialConstants(part));
+    for (const Part& part : model.parts) {
+        data.materials.push_back(materialConstants(part));
+        data.erodes |= data.materials.back().general.erodes;
+        data.heats |= data.materials.back().general.heatPerWork > 0;
+    }
     addPatches(data, model, makePatches(model.mesh));
     addGroups(data, model);
     scaleMass(data, model);

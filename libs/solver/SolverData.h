@@ -84,6 +84,7 @@ struct SolverData {
     std::vector<Index> pressureFaceNode, pressureFaceCondition, pressureStart, pressureSlots;
     BodyData body;
     bool rigidParts = false;
+    bool erodes = false, heats = false; ///< some part does
 
     std::vector<PairData> pairs;
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces

@@ -232,6 +232,7 @@ private:
         reportEnergies();
         reportRest();
         reportPairs(solver_, model_, run_.log);
+        reportErosion();
         if (clock_.steps > 0)
             run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
                                  stepLimit(solver_, model_)));
@@ -266,6 +267,25 @@ private:
                           + where);
         else
             run_.log.warning("dynamic relaxation has not come to rest: " + where);
+    }
+
+    void reportErosion()
+    {
+        if (!solver_.data().erodes) return;
+        const ElementValues values = solver_.elementValues();
+        for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+            const MeshPart& part = model_.mesh.parts[p];
+            Index deleted = 0;
+            double energy = 0;
+            for (Index e = part.firstElement; e < part.firstElement + part.elementCount; ++e) {
+                deleted += values.deleted[std::size_t(e)];
+                energy += values.eroded[std::size_t(e)];
+            }
+            if (deleted > 0)
+                run_.log.line(format("part {}: {} elements deleted, eroded {} (elastic energy they "
+                                     "held, part of internal)",
+                                     part.name, deleted, energy));
+        }
     }
 
     void writeStatus(const std::string& state)

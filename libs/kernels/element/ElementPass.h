@@ -4,6 +4,7 @@
 #include "kernels/element/SelectiveHexahedron.h"
 #include "kernels/element/StateLayout.h"
 #include "kernels/particle/StepClock.h"
+#include "parallel/Atomic.h"
 #include "parallel/Precision.h"
 
 namespace fpm {
@@ -54,12 +55,13 @@ struct ElementPass {
     std::size_t nodeStride;
     const Work* mass;   ///< tiles of 1
     Work* state;        ///< tiles of the part's StateLayout
-    Sum* plasticStrain; ///< likewise
+    Sum* plasticStrain; ///< likewise, with the rises of temperature
     Work* slotForce;    ///< three planes, slotStride apart
     std::size_t slotStride;
     double* patchEnergy; ///< [patch][elementEnergies], running sums
     double* patchStep;   ///< [patch], stable step
     const StepClock* clock;
+    std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
 
     template <class Team>
@@ -96,8 +98,11 @@ struct ElementPass {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
-        return {Hourglass::points, Hourglass::stateSize,
-                Material::plastic && (!Material::general || m.rows > 0)};
+        if constexpr (!Material::general)
+            return {Hourglass::points, Hourglass::stateSize, Material::plastic};
+        else
+            return {Hourglass::points, Hourglass::stateSize, m.rows > 0 || m.general.erodes,
+                    m.general.kinematicModulus > Work(0), m.general.heatPerWork > Work(0)};
     }
 
 private:
@@ -147,6 +152,9 @@ private:
             store(sums + 2 * patchCapacity + e, step.hourglass);
             store(sums + 3 * patchCapacity + e, step.bulkViscosity);
             store(sums + 4 * patchCapacity + e, step.stableTimeStep);
+            if constexpr (Material::general)
+                if (m.general.erodes && NumberTraits<T>::any(step.deletes > T(Work(0))))
+                    atomicAdd64(deletions, 1);
         });
     }
 
@@ -163,10 +171,12 @@ private:
             pass.loadState(m, to, patch, e, point);
         }
         template <class T>
-        FPM_KERNEL void
-        store(int point, const ElementState<T>& from, const T& plasticStrainIncrement) const
+        FPM_KERNEL void store(int point,
+                              const ElementState<T>& from,
+                              const T& plasticStrainIncrement,
+                              const T& temperatureIncrement) const
         {
-            pass.storeState(m, from, plasticStrainIncrement, patch, e, point);
+            pass.storeState(m, from, plasticStrainIncrement, temperatureIncrement, patch, e, point);
         }
     };
 
@@ -187,7 +197,8 @@ private:
             loadState(m, element, patch, e, 0);
             const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
                 m, x, w, elementMass, rate, strainPoint, element);
-            storeState(m, element, step.plasticStrainIncrement, patch, e, 0);
+            storeState(m, element, step.plasticStrainIncrement, step.temperatureIncrement, patch, e,
+                       0);
             return step;
         }
     }
@@ -207,6 +218,27 @@ private:
     }
 
     template <class T>
+    FPM_KERNEL static Sym3<T> loadTensor(const Work* s, Index stride)
+    {
+        return {load<T>(s),
+                load<T>(s + stride),
+                load<T>(s + 2 * stride),
+                load<T>(s + 3 * stride),
+                load<T>(s + 4 * stride),
+                load<T>(s + 5 * stride)};
+    }
+    template <class T>
+    FPM_KERNEL static void storeTensor(Work* s, Index stride, const Sym3<T>& from)
+    {
+        store(s, from.xx);
+        store(s + stride, from.yy);
+        store(s + 2 * stride, from.zz);
+        store(s + 3 * stride, from.xy);
+        store(s + 4 * stride, from.yz);
+        store(s + 5 * stride, from.zx);
+    }
+
+    template <class T>
     FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
                               ElementState<T>& to,
                               const PatchHeader& patch,
@@ -216,16 +248,20 @@ private:
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
         const Work* first = state + patch.state + e;
-        const Work* s = first + layout.stress(point) * stride;
-        to.stress = {load<T>(s),
-                     load<T>(s + stride),
-                     load<T>(s + 2 * stride),
-                     load<T>(s + 3 * stride),
-                     load<T>(s + 4 * stride),
-                     load<T>(s + 5 * stride)};
+        to.stress = loadTensor<T>(first + layout.stress(point) * stride, stride);
         to.equivalentPlasticStrain =
             layout.plastic ? load<T>(plasticStrain + patch.strains + point * stride + e)
                            : T(Work(0));
+        if constexpr (Material::general) {
+            to.backstress =
+                Sym3<T>{T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0))};
+            to.temperatureRise = T(Work(0));
+            if (layout.kinematic)
+                to.backstress = loadTensor<T>(first + layout.backstress(point) * stride, stride);
+            if (layout.heats)
+                to.temperatureRise =
+                    load<T>(plasticStrain + patch.strains + layout.temperature(point) * stride + e);
+        }
         if constexpr (Hourglass::stateSize > 0) {
             const Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j)
@@ -238,6 +274,7 @@ private:
     FPM_KERNEL void storeState(const MaterialConstants<Work>& m,
                                const ElementState<T>& from,
                                const T& plasticStrainIncrement,
+                               [[maybe_unused]] const T& temperatureIncrement,
                                const PatchHeader& patch,
                                Index e,
                                int point) const
@@ -245,15 +282,16 @@ private:
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
         Work* first = state + patch.state + e;
-        Work* s = first + layout.stress(point) * stride;
-        store(s, from.stress.xx);
-        store(s + stride, from.stress.yy);
-        store(s + 2 * stride, from.stress.zz);
-        store(s + 3 * stride, from.stress.xy);
-        store(s + 4 * stride, from.stress.yz);
-        store(s + 5 * stride, from.stress.zx);
+        storeTensor(first + layout.stress(point) * stride, stride, from.stress);
         if (layout.plastic)
             accumulate(plasticStrain + patch.strains + point * stride + e, plasticStrainIncrement);
+        if constexpr (Material::general) {
+            if (layout.kinematic)
+                storeTensor(first + layout.backstress(point) * stride, stride, from.backstress);
+            if (layout.heats)
+                accumulate(plasticStrain + patch.strains + layout.temperature(point) * stride + e,
+                           temperatureIncrement);
+        }
         if constexpr (Hourglass::stateSize > 0) {
             Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {

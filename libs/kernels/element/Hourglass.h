@@ -139,6 +139,24 @@ struct PhysicalHourglass {
         return out;
     }
 
+    /// `plastic tangent`: while the element flows, the stiffness of its increments is that share of
+    /// the elastic one which the tangent modulus is of Young's, at least a hundredth. `modulus`:
+    /// d(flow stress) / d(plastic strain).
+    template <class T>
+    FPM_KERNEL static void followFlow(const MaterialConstants<ScalarOf<T>>& m,
+                                      const T& plasticStrainIncrement,
+                                      const T& modulus,
+                                      const Vec3<T> (&before)[4],
+                                      Vec3<T> (&q)[4],
+                                      HourglassTrial<T>& work)
+    {
+        using Real = ScalarOf<T>;
+        const T tangent = maximum(modulus / (T(m.young) + modulus), T(Real(0.01)));
+        const T share = select(plasticStrainIncrement > T(Real(0)), tangent, T(Real(1)));
+        for (int j = 0; j < 4; ++j) q[j] = multiplyAdd(share, q[j] - before[j], before[j]);
+        work.workTrial = fusedMultiplyAdd(share, work.workTrial - work.workStart, work.workStart);
+    }
+
     /// Equivalent bending stress of the section, q_b = 2/3 of the Mises stress of the outer fibre:
     /// pure bending yields at the plastic moment sigma_y t^2 / 4 of a solid section. Outer fibre
     /// stresses follow from Q: sigma_i = 12 Q_ij s_i / V, and 12 Q_ii / V = tau_ij / s_j + tau_ik /

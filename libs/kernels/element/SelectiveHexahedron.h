@@ -111,6 +111,8 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
                             const Modes<T>& increment,
                             const Modes<T>& end,
                             const T& dilatation,
+                            const T& specificVolume,
+                            ScalarOf<T> rate,
                             int number,
                             const Points& points,
                             PointSums<T>& sums)
@@ -139,9 +141,16 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
     const Sym3<T> before = rotated(spin.whole, state.stress);
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};
-    if constexpr (Material::plastic)
-        plastic = generalReturn<T>(m, state.equivalentPlasticStrain, zero, state.stress);
-    points.store(number, state, plastic.strainIncrement);
+    if constexpr (Material::plastic) {
+        if (m.general.kinematicModulus > Real(0))
+            state.backstress = rotated(spin.whole, state.backstress);
+        plastic =
+            generalReturn<T>(m, {state.equivalentPlasticStrain, zero, state.temperatureRise, rate},
+                             state.stress, state.backstress)
+                .plastic;
+    }
+    points.store(number, state, plastic.strainIncrement,
+                 T(m.general.heatPerWork) * plastic.work * specificVolume);
 
     sums.internal += volume * (half * contract(before + state.stress, strain));
     sums.plastic += volume * plastic.work;
@@ -177,8 +186,8 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
 }
 
 /// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` loads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, increment of its
-/// plastic strain).
+/// stores the state of each Gauss point: load(point, state), store(point, state, increments of its
+/// plastic strain and temperature).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,
                                           const Modes<T>& x,
@@ -202,11 +211,11 @@ FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& 
     sums.leastVolume = gradient.volume64 * T(Real(8));
     const Modes<T> middleGauss = gaussModes(middle), incrementGauss = gaussModes(increment),
                    endGauss = gaussModes(x);
-    for (int point = 0; point < SelectiveIntegration::points; ++point)
-        updatePoint<Material>(m, middleGauss, incrementGauss, endGauss, dilatation, point, points,
-                              sums);
-
     const T volume = gradient.volume64 * T(Real(1) / Real(64));
+    for (int point = 0; point < SelectiveIntegration::points; ++point)
+        updatePoint<Material>(m, middleGauss, incrementGauss, endGauss, dilatation, volume / mass,
+                              rate, point, points, sums);
+
     const T square = gradientSquare512(gradient) * T(Real(1) / Real(512));
     const T length = volume / squareRoot(square + square);
     const BulkViscosity<T> viscosity =

@@ -23,10 +23,11 @@ struct StepClock {
     double unrest = 0;   ///< square root of kinetic over stored energy
     double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
-    std::int32_t running = 1; ///< 0: `stop` is reached, nothing moves
-    std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
-                              ///< step is beyond the bound; nothing moves
-    std::int32_t settled = 0; ///< dynamic relaxation is done; nothing moves
+    std::int64_t deletions = 0; ///< changes whenever elements are deleted
+    std::int32_t running = 1;   ///< 0: `stop` is reached, nothing moves
+    std::int32_t failed = 0;    ///< 1: an element inverted or a number is not finite; 2: the fixed
+                                ///< step is beyond the bound; nothing moves
+    std::int32_t settled = 0;   ///< dynamic relaxation is done; nothing moves
 };
 
 /// Rules of the step size, fixed for a run.

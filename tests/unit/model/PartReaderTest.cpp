@@ -119,8 +119,7 @@ TEST(PartReader, RefusesPhysicsOutOfRange)
 
 TEST(PartReader, RefusesPlasticityInARigidPart)
 {
-    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"),
-                         "no meaning for model rigidPrescribed"));
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"), "no meaning for a rigid part"));
 }
 
 TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
