@@ -53,7 +53,9 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     }
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
                 + out.friction + out.damping;
-    const double scale = std::max({out.kinetic, out.internal, std::abs(out.external)});
+    // A body that friction has brought to rest is judged by the energy it came with.
+    const double scale = std::max(
+        {out.kinetic, out.internal, std::abs(out.external), out.friction, startEnergy_});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
 }

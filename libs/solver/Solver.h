@@ -17,7 +17,8 @@ struct Energies {
     double friction = 0, damping = 0;
     double external = 0; ///< done by loads and drives
     double total = 0;    ///< everything held or dissipated
-    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal, external
+    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal,
+                         ///< external, friction, start
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "kernels/particle/Amplitude.h"
 #include "mesh/Quality.h"
 
 #include <algorithm>
@@ -142,6 +143,21 @@ void addMass(SolverData& data, const Model& model)
     }
 }
 
+/// Factor of the value that a driven node moves with at time 0: a body driven from the start is in
+/// motion then, it is not struck.
+double startFactor(const Condition& condition, const std::vector<double>& rows)
+{
+    if (condition.kind == 1) return amplitudeAt(condition, rows.data(), 0);
+    const double* row = rows.data() + 2 * std::size_t(condition.firstRow);
+    for (Index i = 1; i < condition.rowCount; ++i) {
+        const double before = row[2 * i - 2], after = row[2 * i], length = after - before;
+        if (!(before <= 0 && 0 < after)) continue;
+        const double tau = -before / length, slope = (row[2 * i + 1] - row[2 * i - 1]) / length;
+        return condition.smooth ? slope * 30 * tau * tau * (1 - tau) * (1 - tau) : slope;
+    }
+    return 0;
+}
+
 void addMotion(SolverData& data, const Model& model)
 {
     data.velocity.assign(std::size_t(data.nodeCount), Point{0, 0, 0});
@@ -175,6 +191,12 @@ void addMotion(SolverData& data, const Model& model)
         }
         const double share = out.kind == 2 ? 1.0 / double(condition.nodes.size()) : 1.0;
         for (int c = 0; c < 3; ++c) out.value[c] = share * condition.value[std::size_t(c)];
+        if (out.kind != 2)
+            for (const Index node : condition.nodes)
+                for (int c = 0; c < 3; ++c)
+                    if ((components >> c) & 1)
+                        data.velocity[std::size_t(node)][std::size_t(c)] =
+                            out.value[c] * startFactor(out, data.amplitudeRows);
         for (const Index node : condition.nodes)
             uses.emplace_back(node, Index(data.conditions.size()));
         data.conditions.push_back(out);

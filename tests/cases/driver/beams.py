@@ -45,7 +45,6 @@ def checkElastica(binaries, marks, name, cells, height, width, hourglass=PHYSICA
 
 def largeDeflection(binaries, marks):
     checkElastica(binaries, marks, "50 x 1 x 4, L/h 25", (50, 1, 4), 20.0, 10.0)
-    checkElastica(binaries, marks, "50 x 1 x 1, L/h 25", (50, 1, 1), 20.0, 10.0)
 
 
 def largeDeflectionFine(binaries, marks):
@@ -81,9 +80,9 @@ def checkVibration(binaries, marks, name, height, poisson, youngs, density, cell
             start, end = (number - 0.25) / frequency, (number + 1.25) / frequency
             return max(d for t, d in zip(times, down) if start <= t <= end)
         marks.against("largest deflection", max(down), 2 * deflection, 0.03, "mm")
-        # Higher modes come and go in single peaks: the mean of three.
-        first = sum(peak(i) for i in range(3)) / 3
-        last = sum(peak(periods - 3 + i) for i in range(3)) / 3
+        # Higher modes come and go in single peaks: the mean of five.
+        first = sum(peak(i) for i in range(5)) / 5
+        last = sum(peak(periods - 5 + i) for i in range(5)) / 5
         marks.below(f"amplitude lost over {periods} periods", abs(1 - last / first), 0.01)
         marks.below("energy balance", case.worstBalance(), 0.005)
 
