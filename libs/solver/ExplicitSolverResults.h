@@ -65,8 +65,10 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     }
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
                 + out.friction + out.contactDamping + out.damping;
+    // A body that friction has brought to rest is judged by the energy it came with.
     const double lost = out.friction + out.contactDamping + out.damping;
-    const double scale = std::max({out.kinetic, out.internal, std::abs(out.external), lost});
+    const double scale =
+        std::max({out.kinetic, out.internal, std::abs(out.external), lost, startEnergy_});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
 }

@@ -121,6 +121,33 @@ void toRows(std::vector<std::pair<Index, Value>> entries,
 
 using Uses = std::vector<std::pair<Index, ConditionUse>>;
 
+/// Velocity of a driven component at time 0, for a path factor of 1: a body driven from the start
+/// is in motion then, it is not struck.
+double startVelocity(const Condition& condition, const std::vector<double>& rows)
+{
+    if (condition.kind == ConditionKind::velocity) return amplitudeAt(condition, rows.data(), 0);
+    const double* row = rows.data() + 2 * std::size_t(condition.firstRow);
+    for (Index i = 1; i < condition.rowCount; ++i) {
+        const double before = row[2 * i - 2], after = row[2 * i], length = after - before;
+        if (!(before <= 0 && 0 < after)) continue;
+        const double tau = -before / length, slope = (row[2 * i + 1] - row[2 * i - 1]) / length;
+        const double factor =
+            condition.smooth ? slope * 30 * tau * tau * (1 - tau) * (1 - tau) : slope;
+        const double radian = 3.14159265358979323846 / 180;
+        return condition.kind == ConditionKind::rotation ? radian * condition.value[0] * factor
+                                                         : factor;
+    }
+    return 0;
+}
+
+/// The velocity `v` with its part along a unit axis replaced.
+void setAlong(Point& v, const Point& axis, double speed)
+{
+    double change = speed;
+    for (std::size_t c = 0; c < 3; ++c) change -= v[c] * axis[c];
+    for (std::size_t c = 0; c < 3; ++c) v[c] += change * axis[c];
+}
+
 /// Held components, and those that a condition drives.
 void addImposed(SolverData& data, const Model& model, const std::vector<Index>& numbers, Uses& uses)
 {
@@ -137,16 +164,16 @@ void addImposed(SolverData& data, const Model& model, const std::vector<Index>& 
             const BoundaryCondition& condition = model.boundaryConditions[std::size_t(owner)];
             if (holds(condition, axes[axis])) {
                 data.fixed[std::size_t(node)] |= std::uint8_t(1 << axis);
-                Point& v = data.velocity[std::size_t(node)];
-                double along = 0;
-                for (std::size_t c = 0; c < 3; ++c) along += v[c] * axes[axis][c];
-                for (std::size_t c = 0; c < 3; ++c) v[c] -= along * axes[axis][c];
+                setAlong(data.velocity[std::size_t(node)], axes[axis], 0);
                 continue;
             }
             const auto [first, second] =
                 pathFactors(condition, model.mesh.points[std::size_t(node)], axes[axis]);
-            uses.push_back(
-                {node, {numbers[std::size_t(owner)], std::int32_t(axis), first, second}});
+            const Index number = numbers[std::size_t(owner)];
+            uses.push_back({node, {number, std::int32_t(axis), first, second}});
+            setAlong(data.velocity[std::size_t(node)], axes[axis],
+                     first * startVelocity(data.conditions[std::size_t(number)],
+                                           data.amplitudeRows));
         }
     }
 }

@@ -23,8 +23,8 @@ struct Energies {
     {
         return internal + hourglass > 0 ? kinetic / (internal + hourglass) : 0;
     }
-    double balance = 0; ///< (total - external - start) / largest of kinetic, internal,
-                        ///< external, lost to friction and damping
+    double balance = 0; ///< (total - external - start) / largest of kinetic, internal, external,
+                        ///< lost to friction and damping, start
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.

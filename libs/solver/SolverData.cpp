@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "kernels/particle/Amplitude.h"
 #include "mesh/Quality.h"
 
 #include <algorithm>

@@ -85,6 +85,13 @@ class Scene(CaseRun):
         table = self.table(f"{name}/0/{field}.dat")
         return {column.removeprefix(f"{field}_"): values for column, values in table.items()}
 
+    def worstBalance(self):
+        """Largest error of the balance over the largest energy of the whole run."""
+        e = self.energies()
+        most = max(max(abs(x) for x in e[name]) for name in ("kinetic", "internal", "external"))
+        start = e["total"][0] - e["external"][0]
+        return max(abs(t - x - start) for t, x in zip(e["total"], e["external"])) / most
+
     def hourglassShare(self):
         """Of the largest internal energy."""
         energies = self.energies()

@@ -141,7 +141,7 @@ def brick(binaries, marks):
     The masses sit in the nodes, so the moments of inertia are those of the lattice; Euler's equations
     with them are the reference. The continuous brick flips at 0.19860, 0.54999 and 0.90138 s."""
     size, cells, mass = (0.3, 0.2, 0.1), (6, 4, 2), 47.1
-    omega, end = (0.1, 100.0, 0.1), 1.0
+    omega, end = (0.1, 100.0, 0.1), 0.8
     corners = [n for n, (p, _) in enumerate(lattice(size, cells))
                if all(abs(abs(x) - s / 2) < 1e-12 for x, s in zip(p, size))]
     # A tenth of steel's modulus: it stretches by a ten-thousandth.
@@ -156,7 +156,7 @@ def brick(binaries, marks):
         # Corners in the order of the lattice: the third is one edge in y from the first.
         wy = [bodyOmega(watched.state(row), (0, 2)) for row in range(len(watched.times))]
         found = flips(watched.times, wy)
-        marks.true(f"D1 {len(found)} flips", len(found) == len(exact) == 3)
+        marks.true(f"D1 {len(found)} flips", len(found) == len(exact) == 2)
         for number, (ours, theirs) in enumerate(zip(found, exact)):
             marks.against(f"flip {number + 1}", ours, theirs, 0.005, "s")
         e = case.energies()

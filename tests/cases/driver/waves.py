@@ -41,17 +41,16 @@ def barOnWall(binaries, speed, poisson, cells, held=True, across=1):
         parts=elastic("bar", 200000, poisson, 8e-9) + WALL,
         conditions=sides + "still { type fixed; part wall; }",
         initial=f"v {{ type velocity; part bar; value ({-speed} 0 0); }}",
-        pairs="barWall { contactor bar.xMin; target wall.xMax; normalScale 10; }",
-        control="timeStep { safety 0.9; contactLimit 0.5; }",
+        pairs="barWall { contactor bar.xMin; target wall.xMax; normalScale 1; }",
         functions="struck { type point; part bar; position (0 10 10); fields (displacement); }\n"
                   "free { type point; part bar; position (202 10 10); fields (displacement); }",
         end=1.2e-4, rows=2400).all()
 
 
-def onWall(binaries, marks, name, speed, poisson, cells, mark, **more):
+def onWall(binaries, marks, name, speed, poisson, cells, mark, held=True, across=1):
     mass = 8e-9 * 200 * 400
     wave = 5e6
-    with barOnWall(binaries, speed, poisson, cells, **more) as case:
+    with barOnWall(binaries, speed, poisson, cells, held, across) as case:
         force = case.contact("barWall")
         times, f = force["time"], [abs(x) for x in force["fx"]]
         exact = 8e-9 * wave * speed * 400
@@ -59,9 +58,11 @@ def onWall(binaries, marks, name, speed, poisson, cells, mark, **more):
         marks.against(f"{name}: wall force", mean / 1e6, exact / 1e6, mark, "MN")
         edges = crossing(times, f, exact / 2)
         marks.against("contact lasts", 1e6 * (edges[-1] - edges[0]), 80, 2 * mark, "us")
+        marks.below("overshoot", max(f) / exact - 1, 0.2)
+        if not held:
+            return
         rebound = impulse(times, f) / mass - speed
         marks.against("rebound", rebound / 1e3, speed / 1e3, 0.03, "m/s")
-        marks.below("overshoot", max(f) / exact - 1, 0.2)
         gap = 2 * speed / 1e5
         for point, t, u in (("struck", 6e-5, -gap), ("free", 4e-5, -2 * gap),
                             ("free", 6e-5, -3 * gap), ("free", 1e-4, -gap)):
@@ -72,7 +73,7 @@ def onWall(binaries, marks, name, speed, poisson, cells, mark, **more):
 
 
 def wall(binaries, marks):
-    onWall(binaries, marks, "B1 100 m/s, 100 cells", 1e5, 0, 100, 0.015)
+    onWall(binaries, marks, "B1 100 m/s, 200 cells", 1e5, 0, 200, 0.015)
     onWall(binaries, marks, "B1 10 m/s, 400 cells", 1e4, 0, 400, 0.003)
     onWall(binaries, marks, "B1 10 m/s, nu 0.3, free sides", 1e4, 0.3, 100, 0.02, held=False,
            across=4)
@@ -80,30 +81,27 @@ def wall(binaries, marks):
 
 # B2 ---------------------------------------------------------------------------------------------
 
-def twoBars(binaries, first, second, cells, end, initial, conditions="", scale=10, functions=""):
-    """Two bars 500 x 20 x 20 mm, end to end at x = 500; lateral motion held."""
+FACES = ("face1 { type point; part bar1; position (500 10 10); fields (velocity); }\n"
+         "face2 { type point; part bar2; position (500 10 10); fields (velocity); }\n"
+         "middle { type point; part bar1; position (250 10 10); fields (velocity); }")
+
+
+def twoBars(binaries, first, second, cells, along, end, initial, conditions=""):
+    """Two bars 500 x 20 x 20 mm, end to end at x = 500; the finer one is the contactor. Lateral
+    motion is held."""
+    fine = 1 if cells[0] >= cells[1] else 2
+    contactor, target = ("bar1.xMax", "bar2.xMin") if fine == 1 else ("bar2.xMin", "bar1.xMax")
     return Scene(
         binaries,
         bodies="\n".join(
             f"bar{i + 1} {{ type box; origin ({500 * i} 0 0); size (500 20 20); "
-            f"cells (125 {n} {n}); }}" for i, n in enumerate(cells)),
+            f"cells ({along} {n} {n}); }}" for i, n in enumerate(cells)),
         parts=first + second,
         conditions="s1 { type fixed; part bar1; components (y z); }\n"
                    "s2 { type fixed; part bar2; components (y z); }\n" + conditions,
         initial=initial,
-        pairs=f"bars {{ contactor bar{1 if cells[0] >= cells[1] else 2}"
-              f".x{'Max' if cells[0] >= cells[1] else 'Min'}; "
-              f"target bar{2 if cells[0] >= cells[1] else 1}"
-              f".x{'Min' if cells[0] >= cells[1] else 'Max'}; normalScale {scale}; }}",
-        functions=functions, end=end, rows=1500, frames=1,
-        tables="v1 { type section; field V; set bar1.xMin; }\n"
-               "p1 { type extrema; field V; component x; part bar1; }\n"
-               "p2 { type extrema; field V; component x; part bar2; }").all()
-
-
-FACES = ("face1 { type point; part bar1; position (500 10 10); fields (velocity); }\n"
-         "face2 { type point; part bar2; position (500 10 10); fields (velocity); }\n"
-         "middle { type point; part bar1; position (250 10 10); fields (velocity); }")
+        pairs=f"bars {{ contactor {contactor}; target {target}; normalScale 10; }}",
+        functions=FACES, end=end, rows=1500).all()
 
 
 def mean(times, values, start, end):
@@ -113,11 +111,15 @@ def mean(times, values, start, end):
 
 def bars(binaries, marks):
     steel = [elastic(f"bar{i}", 200000, 0, 8e-9) for i in (1, 2)]
+    # A step gives its sharpest edge to bulk viscosity: 1.1 % of the energy at the default of 0.06.
+    little = [elastic(f"bar{i}", 200000, 0, 8e-9, "bulkViscosity { linear 0.02; quadratic 1.2; }")
+              for i in (1, 2)]
     one, other = elastic("bar1", 210000, 0, 7.85e-9), elastic("bar2", 70000, 0, 2.7e-9)
     strike = "v { type velocity; part bar1; value (10000 0 0); }"
-    for name, cells in (("2 x 2 on 2 x 2", (2, 2)), ("7 x 7 on 5 x 5", (7, 5)),
-                        ("5 x 5 on 7 x 7", (5, 7))):
-        with twoBars(binaries, *steel, cells, 2.6e-4, strike, functions=FACES) as case:
+    for name, parts, cells, along in (
+            ("1 mm, viscosity 0.02", little, (1, 1), 500), ("7 x 7 on 5 x 5", steel, (7, 5), 80),
+            ("5 x 5 on 7 x 7", steel, (5, 7), 80)):
+        with twoBars(binaries, *parts, cells, along, 2.6e-4, strike) as case:
             force = case.contact("bars")
             stress = mean(force["time"], [abs(f) / 400 for f in force["fx"]], 3e-5, 1.8e-4)
             marks.against(f"B2 equal bars, {name}: stress", stress, 200, 0.01, "MPa")
@@ -125,12 +127,12 @@ def bars(binaries, marks):
             marks.against("interface", mean(v["time"], v["vx"], 3e-5, 1.8e-4) / 1e3, 5, 0.01, "m/s")
             # All momentum is handed over; what stays behind is the ringing of the step.
             share = impulse(force["time"], [abs(f) for f in force["fx"]]) / (8e-9 * 2e5 * 1e4)
-            marks.against("momentum handed over", share, 1, 0.01)
-            energies = case.energies()
+            marks.against("momentum handed over", share, 1, 0.015)
+            e = case.energies()
+            marks.below("kinetic energy lost", 1 - e["kinetic"][-1] / e["kinetic"][0],
+                        0.01 if along > 200 else 0.03)
             marks.below("energy balance", case.worstBalance(), 0.01)
-            lost = energies["bulkViscosity"][-1] / energies["kinetic"][0]
-            marks.figure("lost to bulk viscosity", f"{100 * lost:.2g} %")
-    with twoBars(binaries, one, other, (2, 2), 1.8e-4, strike, functions=FACES) as case:
+    with twoBars(binaries, one, other, (1, 1), 250, 1.8e-4, strike) as case:
         force, v = case.contact("bars"), case.point("face2", "velocity")
         stress = mean(force["time"], [abs(f) / 400 for f in force["fx"]], 3e-5, 1.7e-4)
         marks.against("B2 steel on aluminium: stress", stress, 102.7023, 0.01, "MPa")
@@ -139,8 +141,8 @@ def bars(binaries, marks):
     # A step of 100 MPa through an interface that only touches: 2.5 m/s driven at the far end.
     push = ("push { type velocity; set bar1.xMin; value (2500 0 0); components (x); "
             "amplitude smooth ((0 0) (2e-5 1)); }")
-    for cells in ((2, 2), (7, 5)):
-        with twoBars(binaries, *steel, cells, 1.9e-4, "", push, functions=FACES) as case:
+    for cells in ((1, 1), (7, 5)):
+        with twoBars(binaries, *steel, cells, 80, 1.9e-4, "", push) as case:
             v = case.point("middle", "velocity")
             late = [abs(x / 2500 - 1) for t, x in zip(v["time"], v["vx"]) if 1e-4 < t]
             marks.below(f"B2 transparency, {cells[0]} on {cells[1]}: reflected", max(late), 0.03)
@@ -171,7 +173,7 @@ def piston(binaries, marks, name, speed):
             parts=plastic("bar", *data),
             conditions="sides { type fixed; part bar; components (y z); }\n"
                        f"piston {{ type velocity; set bar.xMin; value ({behind} 0 0); "
-                       "components (x); }",
+                       "components (x); amplitude smooth ((0 0) (4e-7 1)); }",
             end=end, rows=3000,
             functions="\n".join(
                 f"x{int(x)} {{ type point; part bar; position ({x} 0 0); fields (velocity); }}"
@@ -179,7 +181,7 @@ def piston(binaries, marks, name, speed):
             tables="\n".join(f"s{x} {{ type point; field S; position ({x}.25 0.5 0.5); }}\n"
                              f"e{x} {{ type point; field PEEQ; position ({x}.25 0.5 0.5); }}"
                              for x in (60, 70, 80))).all() as case:
-        first = 1e3 * limit / (data[2] * 1e12 * fast) * 1e3  # elastic particle velocity, mm/s
+        first = limit / (data[2] * 1e3 * fast)  # velocity behind the elastic front, mm/s
         marks.against(f"B5 {name}, {speed} m/s: stress",
                       -sum(case.probed(f"s{x}", "S")["XX"][-1] for x in (60, 70, 80)) / 3, stress,
                       0.02, "MPa")
