@@ -82,13 +82,14 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
         else
             plastic =
                 radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
-        if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>) {
-            const SectionFlow<T> section = flowOfSection<T>(
-                m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
-            share = fusedMultiplyAdd(T(m.coupledHourglass), section.bendingKept - one, one);
-            bent = section.bendingWork;
-            for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
-        }
+        if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
+            if (m.coupledHourglass > Real(0)) {
+                const SectionFlow<T> section = flowOfSection<T>(
+                    m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
+                share = section.bendingKept;
+                bent = section.bendingWork;
+                for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+            }
     }
 
     ElementStep<T> step;
