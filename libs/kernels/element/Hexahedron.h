@@ -5,6 +5,7 @@
 #include "kernels/element/Hourglass.h"
 #include "kernels/element/RotationRules.h"
 #include "kernels/material/GeneralPlasticity.h"
+#include "kernels/material/SectionFlow.h"
 
 #include <type_traits>
 
@@ -60,6 +61,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};
     T share = one; // of the trial hourglass forces that the section can bear
+    T bent = zero; // plastic work of the bending per volume
     if constexpr (Material::plastic) {
         if constexpr (Material::general) {
             if (m.general.kinematicModulus > Real(0))
@@ -75,14 +77,18 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
         } else
             plastic =
                 radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
-        share = one - T(m.coupledHourglass) * plastic.reduction;
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
-            for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+            if (m.coupledHourglass > Real(0)) {
+                const SectionFlow<T> section = flowOfSection<T>(
+                    m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
+                share = section.bendingKept;
+                bent = section.bendingWork;
+                for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+            }
     }
 
     ElementStep<T> step;
     step.plasticStrainIncrement = plastic.strainIncrement;
-    const T bent = plastic.reduction * (one - plastic.reduction) * hourglass.bendingEnergy;
     step.plastic = volume * (plastic.work + bent);
     step.temperatureIncrement = zero;
     if constexpr (Material::general)
