@@ -186,8 +186,10 @@ Model strike(double friction = 0.3)
     Part upper;
     upper.kind = PartKind::rigidFree;
     upper.density = 2.7e-9;
-    return twoBlocks(upper, aluminium(PartKind::elastic, HourglassForm::physical),
-                     {2e4, -1e4, -8e4}, friction, 0.01);
+    Model model = twoBlocks(upper, aluminium(PartKind::elastic, HourglassForm::physical),
+                            {2e4, -1e4, -8e4}, friction, 0.01);
+    model.initialVelocities[0].part = 1;
+    return model;
 }
 
 /// m V of the half step, from V and F of the full step.
@@ -250,12 +252,15 @@ TEST(RigidBody, LedgerOfNodesAndBodyIsExact)
                 sum += 0.5 * solver->data().nodeMass[std::size_t(node)] * c * c;
         return sum + solver->bodyMotion(0).halfStepKinetic;
     };
+    solver->advance(1, 1); // the first step is half a one
     const double start = kinetic();
+    const NodalWorks first = solver->nodalWorks();
+    const auto booked = [](const NodalWorks& w) {
+        return w.internal + w.contact + w.external + w.drives - w.damping;
+    };
     for (int call = 0; call < 20; ++call) {
         solver->advance(1, 25);
-        const NodalWorks w = solver->nodalWorks();
-        EXPECT_NEAR(kinetic() - start, w.internal + w.contact + w.external + w.drives - w.damping,
-                    1e-10 * start);
+        EXPECT_NEAR(kinetic() - start, booked(solver->nodalWorks()) - booked(first), 1e-10 * start);
     }
     EXPECT_GT(std::abs(solver->nodalWorks().contact), 1e-4 * start);
     EXPECT_GT(std::abs(solver->nodalWorks().external), 1e-4 * start);
@@ -268,15 +273,12 @@ TEST(RigidBody, ItsElementsDoNotLimitTheStep)
     const auto reference = startedSolver(model);
     reference->advance(1, 2);
     Model fine = model;
+    // The layer below the top moves up: elements of a hundredth of the height.
     for (Point& p : fine.mesh.points)
-        if (p[2] > 3) p[2] = 6; // flat elements on top, some without height
-    for (Point& p : fine.mesh.points)
-        if (p[2] == 6) p[2] = 3 + 0.001 * double(&p - fine.mesh.points.data());
-    EXPECT_NO_THROW({
-        const auto solver = startedSolver(fine);
-        solver->advance(1, 2);
-        EXPECT_EQ(solver->clock().elementStep, reference->clock().elementStep);
-    });
+        if (std::abs(p[2] - 4.81) < 0.01) p[2] = 6;
+    const auto solver = startedSolver(fine);
+    solver->advance(1, 2);
+    EXPECT_EQ(solver->clock().elementStep, reference->clock().elementStep);
 }
 
 TEST(RigidBody, ItsMassBoundsTheStepOfItsContactSprings)
@@ -304,7 +306,7 @@ TEST_P(RigidBodyBits, AreTheSameOnThreadsAndVectorWidths)
         model.control.threads = threads;
         model.control.simd = simd;
         const auto solver = startedSolver(model);
-        solver->advance(1, 200);
+        solver->advance(1, 80);
         EXPECT_GT(solver->pairForce(0).active, 0);
         return solver->stateChecksum();
     };
