@@ -98,6 +98,15 @@ void checkFreePart(const Model& model, Index part, const Dictionary& dictionary)
     const auto belongs = [&](Index node) {
         return std::binary_search(nodes.begin(), nodes.end(), node);
     };
+    for (Index other = 0; other < Index(model.parts.size()); ++other)
+        if (other != part)
+            for (const Index node : nodesOfPart(model.mesh, other))
+                if (belongs(node))
+                    throw Error(ExitCode::mesh,
+                                format("parts '{}' and '{}' share {}, but '{}' is rigidFree", name,
+                                       model.parts[std::size_t(other)].name,
+                                       placeOf(model.mesh, node), name),
+                                "a rigidFree part needs nodes of its own: let contact join them");
     std::string last;
     for (const BoundaryCondition& condition : model.boundaryConditions) {
         if (condition.isLoad()) continue;

@@ -75,6 +75,19 @@ const char* kindName(PartKind kind)
                                                : "rigidFree";
 }
 
+/// Rigid bodies limit no step; without an element to do so the step must be given.
+void requireStep(const Model& model, const Dictionary& control)
+{
+    bool deformable = false, free = false;
+    for (const Part& part : model.parts) {
+        deformable |= !isRigid(part.kind);
+        free |= part.kind == PartKind::rigidFree;
+    }
+    if (free && !deformable && !(model.control.fixedTimeStep > 0))
+        control.fail("timeStep", "all parts are rigid: nothing limits the time step",
+                     "give it, such as: timeStep { fixed 1e-5; }");
+}
+
 void report(const Model& model, Log& log)
 {
     if (!model.title.empty()) log.line(model.title);
@@ -120,6 +133,7 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
     checkMotions(model, boundary, log);
 
     model.control = readControl(control, log);
+    requireStep(model, control);
     readMassScaling(control, model.parts);
     readContact(theCase, model, log);
     model.control.histories = readHistories(control, model, log);

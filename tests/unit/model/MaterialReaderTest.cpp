@@ -128,7 +128,7 @@ TEST(MaterialReader, ReadsWhenElementsAreDeleted)
     EXPECT_TRUE(
         contains(refusalOf(line + "erosion { }"), "'erosion' says not when elements are deleted"));
     EXPECT_TRUE(contains(refusalOf(line + "erosion { plasticStrain -1; }"), "> 0"));
-    EXPECT_TRUE(contains(refusalOf("model rigid; erosion { inverted yes; }"),
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; erosion { inverted yes; }"),
                          "'erosion' has no meaning for a rigid part"));
 }
 

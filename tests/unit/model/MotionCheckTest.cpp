@@ -171,3 +171,30 @@ TEST(MotionCheck, HoldsARigidFreePartAsAWholeOnly)
     EXPECT_TRUE(contains(refusal([] { check("a { type fixed; part block; rotations (x); }"); }),
                          "'a' holds rotations, but does not name a rigidFree part"));
 }
+
+TEST(MotionCheck, RefusesNodesSharedWithARigidFreePart)
+{
+    const auto boundary = Dictionary::parse("");
+    Model model = modelOf(boundary, "", PartKind::rigidFree);
+    model.mesh.parts.push_back({"skin", 1, 1});
+    model.mesh.hexahedra.push_back(model.mesh.hexahedra.front());
+    model.parts.resize(2);
+    model.parts[1].name = "skin";
+    Log log = Log::quiet();
+    EXPECT_TRUE(contains(refusal([&] { checkMotions(model, boundary, log); }),
+                         "parts 'block' and 'skin' share node 0 at (0 0 0)"));
+}
+
+TEST(MotionCheck, RefusesInitialVelocitiesOfSingleNodesOfARigidFreePart)
+{
+    const auto boundary = Dictionary::parse("");
+    Log log = Log::quiet();
+    EXPECT_TRUE(contains(refusal([&] {
+                             checkMotions(modelOf(boundary,
+                                                  "a { type velocity; set block.zMax; "
+                                                  "value (0 0 1); }",
+                                                  PartKind::rigidFree),
+                                          boundary, log);
+                         }),
+                         "'a' gives a velocity to single nodes of part 'block'"));
+}

@@ -99,3 +99,18 @@ TEST(ReadModel, RefusesAPairWhosePartsBecameRigid)
 
     EXPECT_TRUE(contains(refusal([&] { read(folder); }), "are both rigid"));
 }
+
+TEST(ReadModel, RefusesFreeRigidPartsWithoutATimeStep)
+{
+    const test::CaseFolder folder;
+    writeCase(folder);
+    folder.write("constant/partProperties",
+                 "parts { rod { model rigidFree; density 1; } plate1 { model rigidPrescribed; } "
+                 "plate2 { like plate1; } die { like plate1; } }");
+    folder.write("constant/boundaryConditions",
+                 "a { type fixed; part plate1; } b { type fixed; part plate2; }"
+                 "c { type fixed; part die; }");
+
+    EXPECT_TRUE(contains(refusal([&] { read(folder); }),
+                         "all parts are rigid: nothing limits the time step"));
+}
