@@ -164,9 +164,9 @@ private:
         }
         template <class T>
         FPM_KERNEL void
-        store(int point, const ElementState<T>& from, const T& plasticStrainIncrement) const
+        store(int point, const ElementState<T>& from, const ElementStep<T>& step) const
         {
-            pass.storeState(m, from, plasticStrainIncrement, patch, e, point);
+            pass.storeState(m, from, step, patch, e, point);
         }
     };
 
@@ -187,7 +187,7 @@ private:
             loadState(m, element, patch, e, 0);
             const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
                 m, x, w, elementMass, rate, strainPoint, element);
-            storeState(m, element, step.plasticStrainIncrement, patch, e, 0);
+            storeState(m, element, step, patch, e, 0);
             return step;
         }
     }
@@ -237,7 +237,7 @@ private:
     template <class T>
     FPM_KERNEL void storeState(const MaterialConstants<Work>& m,
                                const ElementState<T>& from,
-                               const T& plasticStrainIncrement,
+                               const ElementStep<T>& step,
                                const PatchHeader& patch,
                                Index e,
                                int point) const
@@ -253,7 +253,8 @@ private:
         store(s + 4 * stride, from.stress.yz);
         store(s + 5 * stride, from.stress.zx);
         if (layout.plastic)
-            accumulate(plasticStrain + patch.strains + point * stride + e, plasticStrainIncrement);
+            accumulate(plasticStrain + patch.strains + point * stride + e,
+                       step.plasticStrainIncrement);
         if constexpr (Hourglass::stateSize > 0) {
             Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {

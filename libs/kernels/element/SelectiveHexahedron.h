@@ -141,7 +141,9 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
     PlasticStep<T> plastic{zero, zero, zero};
     if constexpr (Material::plastic)
         plastic = generalReturn<T>(m, state.equivalentPlasticStrain, zero, state.stress);
-    points.store(number, state, plastic.strainIncrement);
+    ElementStep<T> step{};
+    step.plasticStrainIncrement = plastic.strainIncrement;
+    points.store(number, state, step);
 
     sums.internal += volume * (half * contract(before + state.stress, strain));
     sums.plastic += volume * plastic.work;
@@ -177,8 +179,8 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
 }
 
 /// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` loads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, increment of its
-/// plastic strain).
+/// stores the state of each Gauss point: load(point, state), store(point, state, step: what
+/// accumulates there).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,
                                           const Modes<T>& x,
