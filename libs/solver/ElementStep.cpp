@@ -9,7 +9,7 @@ namespace {
 /// An element whose points are never stored: all are at rest without stress.
 struct NoState {
     void load(int, ElementState<double>& to) const { to = {}; }
-    void store(int, const ElementState<double>&, double, double) const {}
+    void store(int, const ElementState<double>&, const ElementStep<double>&) const {}
 };
 
 Modes<double> modesOf(const std::array<Point, 8>& corners)

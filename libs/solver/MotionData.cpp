@@ -172,8 +172,8 @@ void addImposed(SolverData& data, const Model& model, const std::vector<Index>& 
             const Index number = numbers[std::size_t(owner)];
             uses.push_back({node, {number, std::int32_t(axis), first, second}});
             setAlong(data.velocity[std::size_t(node)], axes[axis],
-                     first * startVelocity(data.conditions[std::size_t(number)],
-                                           data.amplitudeRows));
+                     first
+                         * startVelocity(data.conditions[std::size_t(number)], data.amplitudeRows));
         }
     }
 }

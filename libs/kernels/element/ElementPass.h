@@ -171,12 +171,10 @@ private:
             pass.loadState(m, to, patch, e, point);
         }
         template <class T>
-        FPM_KERNEL void store(int point,
-                              const ElementState<T>& from,
-                              const T& plasticStrainIncrement,
-                              const T& temperatureIncrement) const
+        FPM_KERNEL void
+        store(int point, const ElementState<T>& from, const ElementStep<T>& step) const
         {
-            pass.storeState(m, from, plasticStrainIncrement, temperatureIncrement, patch, e, point);
+            pass.storeState(m, from, step, patch, e, point);
         }
     };
 
@@ -197,8 +195,7 @@ private:
             loadState(m, element, patch, e, 0);
             const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
                 m, x, w, elementMass, rate, strainPoint, element);
-            storeState(m, element, step.plasticStrainIncrement, step.temperatureIncrement, patch, e,
-                       0);
+            storeState(m, element, step, patch, e, 0);
             return step;
         }
     }
@@ -273,8 +270,7 @@ private:
     template <class T>
     FPM_KERNEL void storeState(const MaterialConstants<Work>& m,
                                const ElementState<T>& from,
-                               const T& plasticStrainIncrement,
-                               [[maybe_unused]] const T& temperatureIncrement,
+                               const ElementStep<T>& step,
                                const PatchHeader& patch,
                                Index e,
                                int point) const
@@ -284,13 +280,14 @@ private:
         Work* first = state + patch.state + e;
         storeTensor(first + layout.stress(point) * stride, stride, from.stress);
         if (layout.plastic)
-            accumulate(plasticStrain + patch.strains + point * stride + e, plasticStrainIncrement);
+            accumulate(plasticStrain + patch.strains + point * stride + e,
+                       step.plasticStrainIncrement);
         if constexpr (Material::general) {
             if (layout.kinematic)
                 storeTensor(first + layout.backstress(point) * stride, stride, from.backstress);
             if (layout.heats)
                 accumulate(plasticStrain + patch.strains + layout.temperature(point) * stride + e,
-                           temperatureIncrement);
+                           step.temperatureIncrement);
         }
         if constexpr (Hourglass::stateSize > 0) {
             Work* q = first + layout.hourglassForces() * stride;

@@ -149,8 +149,10 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
                              state.stress, state.backstress)
                 .plastic;
     }
-    points.store(number, state, plastic.strainIncrement,
-                 T(m.general.heatPerWork) * plastic.work * specificVolume);
+    ElementStep<T> step{};
+    step.plasticStrainIncrement = plastic.strainIncrement;
+    step.temperatureIncrement = T(m.general.heatPerWork) * plastic.work * specificVolume;
+    points.store(number, state, step);
 
     sums.internal += volume * (half * contract(before + state.stress, strain));
     sums.plastic += volume * plastic.work;
@@ -186,8 +188,8 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
 }
 
 /// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` loads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, increments of its
-/// plastic strain and temperature).
+/// stores the state of each Gauss point: load(point, state), store(point, state, step: what
+/// accumulates there).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,
                                           const Modes<T>& x,

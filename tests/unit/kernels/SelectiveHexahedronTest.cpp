@@ -19,10 +19,10 @@ struct Selective {
     struct Store {
         ElementState<T>* state;
         void load(int point, ElementState<T>& to) const { to = state[point]; }
-        void store(int point, const ElementState<T>& from, const T& increment) const
+        void store(int point, const ElementState<T>& from, const ElementStep<T>& taken) const
         {
             state[point] = from;
-            state[point].equivalentPlasticStrain += increment;
+            state[point].equivalentPlasticStrain += taken.plasticStrainIncrement;
         }
     };
     MaterialConstants<T> material;
