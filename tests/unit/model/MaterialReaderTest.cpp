@@ -135,7 +135,11 @@ TEST(MaterialReader, ReadsWhenElementsAreDeleted)
 TEST(MaterialReader, RefusesATableLongerThanTheKernelsHold)
 {
     std::string rows;
-    for (int i = 0; i < 33; ++i) rows += "(" + std::to_string(i) + " 10) ";
+    for (int i = 0; i < 33; ++i) {
+        rows += '(';
+        rows += std::to_string(i);
+        rows += " 10) ";
+    }
     EXPECT_TRUE(
         contains(refusalOf(plastic + "hardening table (" + rows + ");"), "the table has 33 rows"));
 }
