@@ -121,8 +121,10 @@ void ProbeRun::makeTables()
                 named("table '" + table.spec().name + "'", [&] { table.sample(*frame); });
     for (const TableProbe& table : tables) {
         const TableSpec& spec = table.spec();
-        const std::string relative = "postProcessing/" + spec.name + "/" + times.front().first + "/"
-                                     + spec.field.field + ".dat";
+        const FrameTime& time =
+            spec.kind == TableSpec::Kind::profile ? times.back() : times.front();
+        const std::string relative =
+            "postProcessing/" + spec.name + "/" + time.first + "/" + spec.field.field + ".dat";
         writeTable(case_.path(relative), table.table());
         report(relative);
     }

@@ -124,7 +124,8 @@ TableSpec readTableSpec(const Dictionary& dictionary, const std::string& name)
     using Kind = TableSpec::Kind;
     TableSpec table;
     table.name = name;
-    const std::string type = dictionary.choice("type", {"point", "section", "extrema", "sum"});
+    const std::string type =
+        dictionary.choice("type", {"point", "section", "extrema", "sum", "profile"});
     table.field.field = dictionary.word("field");
     requireFileName(dictionary, table.field.field);
     if (type == "point") {
@@ -144,6 +145,11 @@ TableSpec readTableSpec(const Dictionary& dictionary, const std::string& name)
         table.kind = Kind::extrema;
         table.part = dictionary.wordOr("part", "");
         table.field.component = dictionary.wordOr("component", "");
+    } else if (type == "profile") {
+        table.kind = Kind::profile;
+        table.set = dictionary.word("set");
+        const std::string axis = dictionary.choiceOr("axis", "x", {"x", "y", "z"});
+        table.axis = std::size_t(axis[0] - 'x');
     } else {
         table.kind = Kind::sum;
         table.set = dictionary.wordOr("set", "");

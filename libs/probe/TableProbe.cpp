@@ -183,8 +183,28 @@ std::vector<double> TableProbe::componentRow(const Frame& frame)
     return row;
 }
 
+void TableProbe::sampleProfile(const Frame& frame)
+{
+    const auto [field, onNodes] = findField(frame, spec_.field.field);
+    table_.columns = {"x", "y", "z"};
+    for (const std::string& name : componentNames(field->columns))
+        table_.columns.push_back(name.empty() ? field->name : field->name + "_" + name);
+    table_.rows.clear();
+    for (const Index entity : entities(onNodes)) {
+        const Point at = place(entity, onNodes);
+        std::vector<double> row{at[0], at[1], at[2]};
+        for (std::size_t component = 0; component < field->columns; ++component)
+            row.push_back(field->values.at(std::size_t(entity) * field->columns + component));
+        table_.rows.push_back(std::move(row));
+    }
+    std::stable_sort(table_.rows.begin(), table_.rows.end(), [&](const auto& a, const auto& b) {
+        return a[spec_.axis] < b[spec_.axis];
+    });
+}
+
 void TableProbe::sample(const Frame& frame)
 {
+    if (spec_.kind == TableSpec::Kind::profile) return sampleProfile(frame);
     const bool extrema = spec_.kind == TableSpec::Kind::extrema;
     table_.rows.push_back(extrema ? extremaRow(frame) : componentRow(frame));
 }

@@ -15,7 +15,8 @@ struct TableSpec {
         point,   ///< the node (element for element fields) nearest to `position`
         section, ///< mean, sum, min or max of each component over `set`
         extrema, ///< smallest and largest value and where they are, over `part` or all parts
-        sum      ///< each component summed over `set`, `part` or all
+        sum,     ///< each component summed over `set`, `part` or all
+        profile  ///< each node (element) of `set` in the order of its place along `axis`, one time
     };
     enum class Operation { mean, sum, min, max };
 
@@ -25,9 +26,11 @@ struct TableSpec {
     std::string part, set; ///< empty: not given
     Point position{0, 0, 0};
     Operation operation = Operation::mean;
+    std::size_t axis = 0; ///< of a profile: 0 x, 1 y, 2 z
 };
 
-/// Collects one row a frame: time, then numbers.
+/// Collects one row a frame: time, then numbers. A profile instead has one row a node (element) and
+/// keeps the last frame only.
 class TableProbe
 {
 public:
@@ -38,7 +41,7 @@ public:
     void sample(const Frame& frame);
     const TableSpec& spec() const { return spec_; }
     /// Columns "time U_x U_y U_z", "time Mises", or for extrema "time min min_x ... max_z" with the
-    /// undeformed positions of the extremes.
+    /// undeformed positions of the extremes; of a profile "x y z U_x U_y U_z", undeformed.
     const Table& table() const { return table_; }
 
 private:
@@ -46,6 +49,7 @@ private:
     Point place(Index entity, bool onNodes) const;
     std::vector<double> extremaRow(const Frame& frame);
     std::vector<double> componentRow(const Frame& frame);
+    void sampleProfile(const Frame& frame);
 
     TableSpec spec_;
     const Mesh& mesh_;

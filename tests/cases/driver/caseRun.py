@@ -91,18 +91,37 @@ class Marks:
 
     def __init__(self):
         self.words, self.failures = [], []
+        self.rows = []  # name, reference, ours, error, pass mark: for doc/accuracy.md
 
     def note(self, text):
         self.words.append(text)
 
+    def figure(self, name, value, reference="-"):
+        """Told, not judged."""
+        self.words.append(f"{name} {value}")
+        self.rows.append((name, reference, value, "-", "-"))
+
     def within(self, name, value, low, high, unit=""):
         self.words.append(f"{name} {value:.4g}{unit} [{low:g}, {high:g}]")
+        self.rows.append((name, "-", f"{value:.4g}{unit}", "-", f"{low:g} to {high:g}"))
         if not low <= value <= high:
             self.failures.append(f"{name} {value:.6g}{unit} is outside [{low:g}, {high:g}]")
+
+    def against(self, name, value, reference, tolerance, unit="", scale=None):
+        """A value beside its reference; the error is a share of it, or of `scale` where given."""
+        error = (value - reference) / abs(scale if scale is not None else reference)
+        unit = f" {unit}" if unit else ""
+        told, allowed = f"{100 * error:+.2g} %", f"{100 * tolerance:g} %"
+        self.words.append(f"{name} {value:.5g} ({reference:.5g}{unit}) {told} (< {allowed})")
+        self.rows.append((name, f"{reference:.5g}{unit}", f"{value:.5g}", told, allowed))
+        if not abs(error) < tolerance:
+            self.failures.append(f"{name} {value:.6g}{unit}: {told} off {reference:.6g}, "
+                                 f"more than {allowed}")
 
     def below(self, name, value, most):
         """A share, told in percent."""
         self.words.append(f"{name} {100 * value:.3g} % (< {100 * most:g} %)")
+        self.rows.append((name, "0", f"{100 * value:.2g} %", "-", f"< {100 * most:g} %"))
         if not value < most:
             self.failures.append(f"{name} {100 * value:.4g} % is not below {100 * most:g} %")
 

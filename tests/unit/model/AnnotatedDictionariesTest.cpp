@@ -30,6 +30,7 @@ void readAll(const test::CaseFolder& folder)
 {
     Log log = Log::quiet();
     Mesh mesh = test::rodAndPlates();
+    test::addBox(mesh, {"striker", {0, 0, 50}, {10, 10, 2}});
     setContact(mesh, folder.open().dictionary("system/contactDict"), folder.open(), log);
     folder.write(mesh);
     readModel(folder.open(), log);

@@ -44,12 +44,13 @@ inline Mesh boxMesh(const std::vector<Box>& boxes)
     return mesh;
 }
 
-/// The bodies of the annotated dictionaries: a rod over two plates, a die apart from them.
+/// The bodies of the annotated dictionaries: a rod over two plates, a sleeve and a die apart.
 inline Mesh rodAndPlates()
 {
     Mesh mesh = boxMesh({{"rod", {0, 0, 5}, {10, 10, 20}, {2, 2, 4}},
                          {"plate1", {0, 0, 4}, {20, 20, 1}, {4, 4, 1}},
                          {"plate2", {0, 0, 3}, {20, 20, 1}, {4, 4, 1}},
+                         {"sleeve", {60, 0, 0}, {5, 5, 5}},
                          {"die", {0, 0, 40}, {20, 20, 2}, {2, 2, 1}}});
     mesh.sideSets["plateEdges"] = mesh.sideSets["plate1.xMax"];
     return mesh;

@@ -54,6 +54,23 @@ TEST(TableProbe, FollowsTheNodeNearestToAPoint)
     EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0, 2, 0, 0}, {10, 2, 0, 10}}));
 }
 
+TEST(TableProbe, AProfileIsTheLastFrameInTheOrderOfItsAxis)
+{
+    TableSpec spec{"profile", Kind::profile, {"U", ""}, "", "end", {}, {}};
+    spec.axis = 1;
+
+    const Table table = tableOf(spec);
+
+    EXPECT_EQ(table.columns, (std::vector<std::string>{"x", "y", "z", "U_x", "U_y", "U_z"}));
+    ASSERT_EQ(table.rows.size(), 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(table.rows[i][0], 2);
+        EXPECT_EQ(table.rows[i][1], i < 2 ? 0 : 1);
+        EXPECT_EQ(table.rows[i][3], 2);
+        EXPECT_EQ(table.rows[i][5], 10);
+    }
+}
+
 TEST(TableProbe, FollowsTheElementNearestToAPointForElementFields)
 {
     const Table table = tableOf({"tip", Kind::point, {"PEEQ", ""}, "", "", {5, 0, 0}, {}});

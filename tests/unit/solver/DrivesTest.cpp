@@ -60,6 +60,25 @@ TEST(Drives, PrescribedVelocityIsThatOfTheMiddleOfTheStep)
         EXPECT_NEAR(solver->nodeValues({node}).at(0, 0)[0] - 6, 500 * 1e-5 / 2, 1e-13);
 }
 
+TEST(Drives, ABodyDrivenFromTheStartIsNotStruck)
+{
+    const double energy = 0.5 * 2.7e-9 * 24 * 500 * 500;
+    for (const Kind kind : {Kind::velocity, Kind::displacement}) {
+        Model model = bar();
+        const std::vector<Index> everyNode = nodesWhere(model.mesh, [](Point) { return true; });
+        const Amplitude amplitude =
+            kind == Kind::velocity ? Amplitude{Amplitude::Kind::table, {{0, 1}}}
+                                   : Amplitude{Amplitude::Kind::table, {{0, 0}, {1e-3, 1e-3}}};
+        model.boundaryConditions.push_back(condition(kind, "drive", everyNode, {true, false, false},
+                                                     {500, 0, 0}, amplitude));
+        const auto solver = startedSolver(model);
+        EXPECT_NEAR(solver->energies().kinetic, energy, 1e-9 * energy);
+        solver->advance(1e-6, 5);
+        EXPECT_NEAR(solver->energies().kinetic, energy, 1e-9 * energy);
+        EXPECT_NEAR(solver->energies().external, 0, 1e-9 * energy);
+    }
+}
+
 TEST(Drives, ReactionEqualsTheLoadAtRest)
 {
     Model model = bar();

@@ -1,0 +1,134 @@
+"""Coulomb friction of one block: braking, inclines, and a pad on a spring."""
+
+import math
+
+from driver.scene import NO_VISCOSITY, Scene, elastic
+
+GRAVITY = 9.81
+
+
+def sliding(binaries, velocity, friction, end, slope=0.0):
+    """Block 0.1 x 0.1 x 0.05 m on a rigid plane under its weight, the plane turned by `slope`."""
+    mass = 7850 * 0.1 * 0.1 * 0.05
+    weight = mass * GRAVITY
+    load = (weight * math.sin(slope), 0.0, -weight * math.cos(slope))
+    return Scene(
+        binaries, units="m",
+        bodies="block { type box; origin (0 0 0); size (0.1 0.1 0.05); cells (2 2 1); }\n"
+               "floor { type box; origin (-1 -1 -0.1); size (3 3 0.1); cells (1 1 1); }",
+        # A softer block than steel: the same rigid motion in longer steps.
+        parts=elastic("block", 2e9, 0.3, 7850) + "floor { model rigid; }",
+        conditions="still { type fixed; part floor; }\n"
+                   f"weight {{ type force; part block; value ({load[0]!r} 0 {load[2]!r}); }}",
+        initial=f"v {{ type velocity; part block; value ({velocity[0]!r} {velocity[1]!r} 0); }}",
+        pairs=f"blockFloor {{ contactor block.zMin; target floor.zMax; friction {friction}; "
+              "normalScale 1; tangentialScale 1; }",
+        functions="centre { type point; part block; position (0.05 0.05 0.05); "
+                  "fields (displacement velocity); }",
+        end=end, rows=2000).all()
+
+
+def brake(binaries, marks, speed, friction, angle=0.0):
+    """Stops after v / mu g and v^2 / 2 mu g; the heat is the kinetic energy."""
+    time, way = speed / (friction * GRAVITY), speed**2 / (2 * friction * GRAVITY)
+    velocity = (speed * math.cos(angle), speed * math.sin(angle))
+    with sliding(binaries, velocity, friction, time + 0.2) as case:
+        u, v = case.point("centre"), case.point("centre", "velocity")
+        along = [(x * velocity[0] + y * velocity[1]) / speed for x, y in zip(u["ux"], u["uy"])]
+        name = f"G1 {speed:g} m/s, mu {friction}" + (", 45 degrees" if angle else "")
+        marks.against(f"{name}: way", along[-1], way, 0.005, "m")
+        stopped = next(t for t, x, y in zip(v["time"], v["vx"], v["vy"])
+                       if x * velocity[0] + y * velocity[1] < 1e-3 * speed**2)
+        marks.against("time", stopped, time, 0.005, "s")
+        e = case.energies()
+        marks.against("heat / kinetic energy", e["friction"][-1] / e["kinetic"][0], 1, 0.005)
+        late = [x for t, x in zip(u["time"], along) if t > time + 0.01]
+        marks.within("drift after the stop", 1e6 * (max(late) - min(late)), 0, 1, " um")
+        if angle:
+            marks.below("sideways", abs(u["ux"][-1] - u["uy"][-1]) / way, 1e-3)
+
+
+def incline(binaries, marks, degrees, friction):
+    slope = math.radians(degrees)
+    acceleration = GRAVITY * (math.sin(slope) - friction * math.cos(slope))
+    with sliding(binaries, (0.0, 0.0), friction, 0.5, slope) as case:
+        u = case.point("centre")
+        name = f"G1 incline {degrees} degrees, mu {friction}"
+        if acceleration > 0:
+            marks.against(f"{name}: way", u["ux"][-1], acceleration * 0.125, 0.005, "m")
+        else:
+            # The first elastic slip is no creep.
+            late = [x for t, x in zip(u["time"], u["ux"]) if t > 0.1]
+            marks.within(f"{name}: creep", 1e6 * (max(late) - min(late)), 0, 1, " um")
+
+
+def pad(binaries, marks):
+    """Pad of 7000 kg on a spring (Code_Aster SDNV104 with lengths and forces by a thousandth).
+
+    The spring is a bar of 10 m with k = E A / L = 24 kN/m and a thousandth of the pad's mass."""
+    spring, mass, push, normal, friction = 24e3, 7000.0, 200.0, 70.0, 0.3
+    case = Scene(
+        binaries, units="m",
+        bodies='pad { type file; file "pad.msh"; }\n'
+               "floor { type box; origin (-1 -1 -1.5); size (3 3 1); cells (1 1 1); }",
+        files={"pad.msh": padMesh()},
+        sets="end { type plane; point (-10 0 0); normal (1 0 0); bodies (spring); }",
+        parts=elastic("block", 2.4e7, 0, 7000, NO_VISCOSITY)
+        + elastic("spring", spring * 10, 0, 0.7, NO_VISCOSITY)
+        + "floor { model rigid; }",
+        conditions="still { type fixed; part floor; }\n"
+                   "wall { type fixed; set end; }\n"
+                   "lane { type fixed; part spring; components (y); }\n"
+                   f"push {{ type force; part block; value ({push} 0 0); components (x); }}\n"
+                   f"press {{ type force; part block; value (0 0 {-normal}); components (z); }}",
+        pairs=f"padFloor {{ contactor under; target floor.zMax; friction {friction}; "
+              "normalScale 10; tangentialScale 1; }",
+        surfaces="under { part block; facing (0 0 -1); }",
+        functions="pad { type point; part block; position (1 0.5 0.5); fields (displacement); }",
+        end=10.0, rows=5000)
+    with case:
+        case.all()
+        u = case.point("pad")
+        half = math.pi / math.sqrt(spring / mass)
+        centre, slip = push / spring, friction * normal / spring
+        # Sliding forth about centre - slip, back about centre + slip, until a half swing ends where
+        # the spring cannot overcome friction.
+        extremes, x, direction = [], 0.0, 1
+        while abs(centre - x) > slip:
+            x = 2 * (centre - direction * slip) - x
+            extremes.append(x)
+            direction = -direction
+        for number, x in enumerate(extremes):
+            time = half * (number + 1)
+            near = [(t, d) for t, d in zip(u["time"], u["ux"]) if abs(t - time) < 0.4 * half]
+            best = (max if number % 2 == 0 else min)(near, key=lambda pair: pair[1])
+            marks.against(f"G2 extreme {number + 1}", 1e3 * best[1], 1e3 * x, 0.005, "mm")
+        marks.against("G2 sticks at", 1e3 * u["ux"][-1], 1e3 * extremes[-1], 0.005, "mm")
+        marks.true(f"{len(extremes)} half swings", len(extremes) == 5)
+
+
+def padMesh():
+    """Spring of five cells along x < 0 and the pad of one cell, sharing four nodes."""
+    nodes, lines = {}, []
+    for i, x in enumerate((-10.0, -8.0, -6.0, -4.0, -2.0, 0.0, 1.0)):
+        for j, (y, z) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+            nodes[(i, j)] = len(nodes) + 1
+            lines.append(f"{nodes[(i, j)]} {x} {y} {z - 0.5}")
+    text = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "2", '3 1 "spring"',
+            '3 2 "block"', "$EndPhysicalNames", "$Nodes", str(len(lines)), *lines, "$EndNodes",
+            "$Elements", "6"]
+    for i in range(6):
+        a, b = [nodes[(i, j)] for j in range(4)], [nodes[(i + 1, j)] for j in range(4)]
+        corners = [a[0], b[0], b[1], a[1], a[3], b[3], b[2], a[2]]
+        part = 1 if i < 5 else 2
+        text.append(f"{i + 1} 5 2 {part} {part} " + " ".join(map(str, corners)))
+    return "\n".join(text + ["$EndElements", ""])
+
+
+def check(binaries, marks):
+    brake(binaries, marks, 1.0, 0.3)
+    brake(binaries, marks, 2.0, 0.25)
+    brake(binaries, marks, 1.0, 0.3, math.pi / 4)
+    for degrees, friction in ((20, 0.3), (30, 0.4), (30, 0.2), (15, 0.3)):
+        incline(binaries, marks, degrees, friction)
+    pad(binaries, marks)
