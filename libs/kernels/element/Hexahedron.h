@@ -79,10 +79,16 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
                 radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
             if (m.coupledHourglass > Real(0)) {
-                const SectionFlow<T> section = flowOfSection<T>(
-                    m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
-                share = section.bendingKept;
-                bent = section.bendingWork;
+                share = one - plastic.reduction;
+                bent = plastic.reduction * share * hourglass.bendingEnergy;
+                bool centred = true; // a yield surface that moves keeps the equal share
+                if constexpr (Material::general) centred = !(m.general.kinematicModulus > Real(0));
+                if (centred) {
+                    const SectionFlow<T> section = flowOfSection<T>(
+                        m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
+                    share = section.bendingKept;
+                    bent = section.bendingWork;
+                }
                 for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
             }
     }

@@ -40,8 +40,7 @@ class Result:
 
     def __init__(self, case):
         die = case.table("upperDie/0/reaction.dat")
-        self.travel = [30 * time / die["time"][-1] for time in die["time"]]
-        self.die = [-4 * force for force in die["fz"]]
+        self.travel, self.die = die["travel"], [-force for force in die["fz"]]
         self.outside = max(self.distance(travel) for travel in TRAVEL)
         self.side = self.moved(case, "side", "uy")
         self.endX, self.endZ = self.moved(case, "endTop", "ux"), self.moved(case, "endTop", "uz")
