@@ -1,5 +1,6 @@
 #include "model/PartReader.h"
 
+#include "base/Format.h"
 #include "model/MaterialReader.h"
 #include "model/Names.h"
 

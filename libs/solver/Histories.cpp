@@ -1,6 +1,7 @@
 #include "solver/Histories.h"
 
 #include "mesh/Vector.h"
+#include "solver/PenaltyData.h"
 
 #include <algorithm>
 

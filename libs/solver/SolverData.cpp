@@ -210,24 +210,6 @@ void addRelaxation(SolverData& data, const Model& model)
 
 } // namespace
 
-Condition makeCondition(std::int32_t kind,
-                        const Point& value,
-                        const Amplitude& amplitude,
-                        std::vector<double>& amplitudeRows)
-{
-    Condition out{};
-    out.kind = kind;
-    out.smooth = amplitude.kind == Amplitude::Kind::smooth;
-    out.firstRow = Index(amplitudeRows.size() / 2);
-    out.rowCount = Index(amplitude.rows.size());
-    for (const auto& row : amplitude.rows) {
-        amplitudeRows.push_back(row[0]);
-        amplitudeRows.push_back(row[1]);
-    }
-    for (std::size_t c = 0; c < 3; ++c) out.value[c] = value[c];
-    return out;
-}
-
 SolverData makeSolverData(const Model& model)
 {
     SolverData data;

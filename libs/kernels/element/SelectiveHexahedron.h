@@ -223,8 +223,10 @@ FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& 
     const BulkViscosity<T> viscosity =
         bulkViscosity<T>(m, mass / volume, length, dilatation, T(rate));
     const T share = T(Real(1) / Real(512));
-    ElementStep<T> step{share * sums.internal, zero, volume * viscosity.pressure * dilatation,
-                        share * sums.plastic,  zero, zero};
+    ElementStep<T> step{};
+    step.internal = share * sums.internal;
+    step.plastic = share * sums.plastic;
+    step.bulkViscosity = volume * viscosity.pressure * dilatation;
     const T undamped = squareRoot(squaredStep<T>(m, mass, volume, square, sums.stretch));
     const T damping = viscosity.damping * (undamped * viscosity.waveSpeed / length);
     step.stableTimeStep =

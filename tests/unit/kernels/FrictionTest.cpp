@@ -301,7 +301,7 @@ TEST(SurfaceShape, TravelOfAVelocityIsTheIntegralOfItsAmplitude)
     const double rows[] = {0.1, 0.0, 0.3, 2.0, 0.4, -1.0};
     for (const int smooth : {0, 1}) {
         Condition c{};
-        c.kind = 1;
+        c.kind = ConditionKind::velocity;
         c.smooth = smooth;
         c.rowCount = 3;
         double sum = 0;

@@ -119,7 +119,8 @@ TEST(PartReader, RefusesPhysicsOutOfRange)
 
 TEST(PartReader, RefusesPlasticityInARigidPart)
 {
-    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"), "no meaning for a rigid part"));
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"),
+                         "no meaning for a rigid part"));
 }
 
 TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
