@@ -51,10 +51,12 @@ std::string pairsOf(const SolverData& data, Index node)
 std::string worstElement(Solver& solver, const Model& model)
 {
     const NodeValues nodes = solver.nodeValues({});
+    const std::vector<bool> deleted = solver.elementValues().deleted;
     Index worst = 0, inverted = 0;
     double least = 1e300;
     for (Index element = 0; element < Index(model.mesh.hexahedra.size()); ++element) {
         if (isRigid(model.parts[std::size_t(model.mesh.partOf(element))].kind)) continue;
+        if (deleted[std::size_t(element)]) continue;
         const double step = stepOf(solver, model, nodes, element);
         inverted += !(step > 0);
         if (step < least || !(step == step)) {

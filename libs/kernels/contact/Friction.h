@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/contact/FaceProjection.h"
-#include "parallel/Exponential.h"
+#include "parallel/ExpLog.h"
 
 namespace fpm {
 
@@ -20,7 +20,7 @@ struct FrictionLaw {
         const double speed = step > 0 ? double(slip) / step : 0;
         return dynamicCoefficient
                + (staticCoefficient - dynamicCoefficient)
-                     * Work(decayingExponential(decay * speed));
+                     * Work(exponential(-decay * speed));
     }
 };
 

@@ -49,7 +49,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T volume = strainGradient.volume64 * T(Real(1) / Real(64));
     const T density = T(Real(64)) * mass * inverseVolume64;
     const T square = gradientSquare512(strainGradient) * T(Real(1) / Real(512));
-    ElementState<T> start; // what the general options may have to come back to
+    [[maybe_unused]] ElementState<T> start; // what the general options may have to come back to
     if constexpr (Material::general) start = state;
     HourglassTrial<T> hourglass = Hourglass::template trial<T>(
         m,
