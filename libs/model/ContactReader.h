@@ -29,11 +29,18 @@ struct PairEntry {
     std::string contactor, target; ///< a surface, a part or a side set
     double friction = 0, normalScale = 1, tangentialScale = 0.1;
     ContactSearch search = ContactSearch::faces;
+    int passes = 1;
+    InitialOverlap initialOverlap = InitialOverlap::report;
+    double rampTime = 0;
 };
+
+/// Name of general contact among the pairs: in the mesh file, under postProcessing, in messages.
+inline const std::string generalContact = "general";
 
 struct ContactEntries {
     std::vector<SurfaceEntry> surfaces;
     std::vector<PairEntry> pairs;
+    std::optional<PairEntry> general; ///< all bodies against all; no contactor, no target
 };
 ContactEntries readContactEntries(const Dictionary& contactDict);
 

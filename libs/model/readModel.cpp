@@ -11,7 +11,7 @@
 #include "model/PartReader.h"
 #include "model/RigidContact.h"
 
-#include <algorithm>
+#include <set>
 
 namespace fpm {
 
@@ -22,6 +22,46 @@ Dictionary dictionaryOrEmpty(const Case& theCase, const std::string& relative)
 {
     return theCase.hasFile(relative) ? theCase.dictionary(relative)
                                      : Dictionary::parse("", relative);
+}
+
+const ContactSurfaces& surfacesOf(const Mesh& mesh, const std::string& pair)
+{
+    for (const ContactSurfaces& surfaces : mesh.contact)
+        if (surfaces.pair == pair) return surfaces;
+    throw Error(ExitCode::mesh,
+                "constant/mesh.vtkhdf has no contact surfaces for pair '" + pair + "'",
+                "run fpmSetContact");
+}
+
+ContactPair makePair(const PairEntry& entry, const ContactSurfaces& surfaces)
+{
+    ContactPair pair;
+    pair.name = entry.name;
+    pair.contactorNodes = surfaces.contactorNodes;
+    pair.targetSides = surfaces.targetSides;
+    pair.friction = entry.friction;
+    pair.normalScale = entry.normalScale;
+    pair.tangentialScale = entry.tangentialScale;
+    pair.search = entry.search;
+    pair.kind =
+        surfaces.contactorSides == surfaces.targetSides ? ContactKind::self : ContactKind::pair;
+    pair.passes = entry.passes;
+    pair.initialOverlap = entry.initialOverlap;
+    pair.rampTime = entry.rampTime;
+    return pair;
+}
+
+/// The parts that meet in a pair.
+void addMeetings(std::vector<std::array<Index, 2>>& parts,
+                 const Mesh& mesh,
+                 const ContactSurfaces& surfaces)
+{
+    std::set<Index> contactor, target;
+    for (const ElementSide& side : surfaces.contactorSides)
+        contactor.insert(mesh.partOf(side.element));
+    for (const ElementSide& side : surfaces.targetSides) target.insert(mesh.partOf(side.element));
+    for (const Index a : contactor)
+        for (const Index b : target) parts.push_back({a, b});
 }
 
 /// Surfaces from the mesh file, numbers from contactDict.
@@ -42,18 +82,17 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
     std::vector<bool> rigid;
     for (const Part& part : model.parts) rigid.push_back(part.kind == PartKind::rigid);
     const Dictionary contactDict = theCase.dictionary("system/contactDict");
-    for (const PairEntry& entry : readContactEntries(contactDict).pairs) {
-        const auto surfaces =
-            std::find_if(model.mesh.contact.begin(), model.mesh.contact.end(),
-                         [&](const ContactSurfaces& one) { return one.pair == entry.name; });
-        if (surfaces == model.mesh.contact.end())
-            throw Error(ExitCode::mesh,
-                        "constant/mesh.vtkhdf has no contact surfaces for pair '" + entry.name
-                            + "'",
-                        "run fpmSetContact");
-        refuseRigidPair(model.mesh, *surfaces, rigid, contactDict.sub("pairs").sub(entry.name));
-        pairs.push_back({entry.name, surfaces->contactorNodes, surfaces->targetSides,
-                         entry.friction, entry.normalScale, entry.tangentialScale, entry.search});
+    const ContactEntries entries = readContactEntries(contactDict);
+    for (const PairEntry& entry : entries.pairs) {
+        const ContactSurfaces& surfaces = surfacesOf(model.mesh, entry.name);
+        refuseRigidPair(model.mesh, surfaces, rigid, contactDict.sub("pairs").sub(entry.name));
+        pairs.push_back(makePair(entry, surfaces));
+    }
+    if (entries.general) {
+        pairs.push_back(makePair(*entries.general, surfacesOf(model.mesh, generalContact)));
+        pairs.back().kind = ContactKind::general;
+        for (const PairEntry& entry : entries.pairs)
+            addMeetings(pairs.back().apart, model.mesh, surfacesOf(model.mesh, entry.name));
     }
     return pairs;
 }

@@ -1,5 +1,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
+#include "kernels/contact/PairView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "solver/SolverData.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace fpm {
 
@@ -51,95 +53,125 @@ void addOwnFaces(PairData& out, const Model& model, const std::vector<ElementSid
     }
 }
 
-/// Face across each edge; -1 where the surface ends, or where more than two faces meet.
-void addNeighbours(PairData& out)
+/// Bodies of faces and contactors, where there are several or some may not meet.
+void addComponents(PairData& out,
+                   const Model& model,
+                   const ContactPair& pair,
+                   const std::vector<ElementSide>& own,
+                   const std::vector<ElementSide>& target)
 {
-    std::map<std::pair<Index, Index>, std::vector<std::size_t>> edges;
-    const auto key = [&](std::size_t face, std::size_t edge) -> std::pair<Index, Index> {
-        const Index a = out.faceNode[4 * face + edge], b = out.faceNode[4 * face + (edge + 1) % 4];
-        return std::minmax(a, b); // copied: minmax itself returns references
-    };
-    const std::size_t faces = out.faceNode.size() / 4;
-    for (std::size_t face = 0; face < faces; ++face)
-        for (std::size_t edge = 0; edge < 4; ++edge) edges[key(face, edge)].push_back(face);
-    out.neighbour.assign(4 * faces, -1);
-    for (std::size_t face = 0; face < faces; ++face)
-        for (std::size_t edge = 0; edge < 4; ++edge) {
-            const auto& both = edges[key(face, edge)];
-            if (both.size() == 2)
-                out.neighbour[4 * face + edge] = Index(both[0] == face ? both[1] : both[0]);
-        }
+    const auto bodyOf = [&](const ElementSide& side) { return model.mesh.partOf(side.element); };
+    for (const ElementSide& side : target) out.faceComponent.push_back(bodyOf(side));
+    const auto [least, most] =
+        std::minmax_element(out.faceComponent.begin(), out.faceComponent.end());
+    if (pair.kind != ContactKind::general
+        && (*least == *most || pair.search == ContactSearch::closestParticle)) {
+        out.faceComponent.clear();
+        return;
+    }
+    std::map<Index, Index> body;
+    for (const ElementSide& side : own)
+        for (const Index node : model.mesh.sideNodes(side)) body[node] = bodyOf(side);
+    for (const Index node : out.contactor) out.contactorComponent.push_back(body[node]);
+    const std::size_t parts = model.parts.size();
+    out.components = Index(parts);
+    out.mayMeet.assign(parts * parts, 1);
+    if (pair.kind == ContactKind::general)
+        for (std::size_t a = 0; a < parts; ++a)
+            for (std::size_t b = 0; b < parts; ++b)
+                if (model.parts[a].kind == PartKind::rigid
+                    && model.parts[b].kind == PartKind::rigid)
+                    out.mayMeet[a * parts + b] = 0;
+    for (const auto& [a, b] : pair.apart)
+        out.mayMeet[std::size_t(a) * parts + std::size_t(b)] =
+            out.mayMeet[std::size_t(b) * parts + std::size_t(a)] = 0;
+    const std::size_t bodies =
+        std::set<Index>(out.faceComponent.begin(), out.faceComponent.end()).size();
+    const std::vector<Index> nodes = out.contactor;
+    for (std::size_t slot = 1; slot < std::min<std::size_t>(bodies, maxSlots); ++slot)
+        out.contactor.insert(out.contactor.end(), nodes.begin(), nodes.end());
 }
 
-void addTargetNodes(PairData& out)
+/// Faces that are no partner of a contactor of the same body: those of all elements at the nodes of
+/// its own faces, so that neither its surroundings nor the other side of a thin layer capture it.
+void addExclusions(PairData& out, const Model& model, const std::vector<ElementSide>& target)
 {
-    out.target = out.faceNode;
-    std::sort(out.target.begin(), out.target.end());
-    out.target.erase(std::unique(out.target.begin(), out.target.end()), out.target.end());
-    std::map<Index, std::vector<Index>> faces;
-    for (std::size_t i = 0; i < out.faceNode.size(); ++i)
-        faces[out.faceNode[i]].push_back(Index(i / 4));
-    out.targetFaceStart.push_back(0);
-    for (const Index node : out.target) {
-        out.targetFaces.insert(out.targetFaces.end(), faces[node].begin(), faces[node].end());
-        out.targetFaceStart.push_back(Index(out.targetFaces.size()));
+    const Mesh& mesh = model.mesh;
+    std::vector<std::vector<Index>> faces(mesh.hexahedra.size()), elements(mesh.points.size());
+    for (std::size_t face = 0; face < target.size(); ++face)
+        faces[std::size_t(target[face].element)].push_back(Index(face));
+    for (std::size_t element = 0; element < mesh.hexahedra.size(); ++element)
+        for (const Index node : mesh.hexahedra[element])
+            elements[std::size_t(node)].push_back(Index(element));
+    out.excludedStart.push_back(0);
+    for (std::size_t i = 0; i < std::size_t(out.nodeCount); ++i) {
+        std::set<Index> excluded;
+        for (Index k = 4 * out.ownFaceStart[i]; k < 4 * out.ownFaceStart[i + 1]; ++k)
+            for (const Index element : elements[std::size_t(out.ownFaceNode[std::size_t(k)])])
+                excluded.insert(faces[std::size_t(element)].begin(),
+                                faces[std::size_t(element)].end());
+        out.excluded.insert(out.excluded.end(), excluded.begin(), excluded.end());
+        out.excludedStart.push_back(Index(out.excluded.size()));
     }
 }
 
-/// Largest distance between two corners of a target face.
-double faceDiagonal(const PairData& pair, const Mesh& mesh)
-{
-    double diagonal = 0;
-    for (std::size_t face = 0; face < pair.faceNode.size() / 4; ++face)
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = a + 1; b < 4; ++b) {
-                double square = 0;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double d = mesh.points[std::size_t(pair.faceNode[4 * face + a])][c]
-                                     - mesh.points[std::size_t(pair.faceNode[4 * face + b])][c];
-                    square += d * d;
-                }
-                diagonal = std::max(diagonal, std::sqrt(square));
-            }
-    return diagonal;
-}
-
-PairData makePair(const Model& model, const ContactPair& pair)
+/// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
+PairData makePass(const Model& model,
+                  const ContactPair& pair,
+                  const std::vector<ElementSide>& own,
+                  const std::vector<ElementSide>& target,
+                  double share)
 {
     PairData out;
-    out.name = pair.name;
     out.search = pair.search;
     out.friction = pair.friction;
     out.tangentialRatio = pair.tangentialScale / pair.normalScale;
-    out.contactor = pair.contactorNodes;
-    const std::vector<ElementSide>& own = ownSides(model, pair);
+    out.contactor = nodesOf(model.mesh, own);
+    out.nodeCount = Index(out.contactor.size());
+    out.forgives = pair.initialOverlap == InitialOverlap::offset
+                   || pair.initialOverlap == InitialOverlap::ramp;
+    out.fadeTime = pair.initialOverlap == InitialOverlap::ramp ? pair.rampTime : 0;
     addOwnFaces(out, model, own);
 
     // A rigid target has no stiffness of its own: it takes the mean of its partner's faces.
-    double partner = 0;
-    for (const ElementSide& side : own) partner += penalty(model, side) / double(own.size());
+    double partner = 0, partners = 0;
+    for (const ElementSide& side : own)
+        if (!isRigid(model, side)) {
+            partner += penalty(model, side);
+            partners += 1;
+        }
     double areas = 0;
-    for (const ElementSide& side : pair.targetSides) {
+    for (const ElementSide& side : target) {
         const Quad quad = model.mesh.sideNodes(side);
         out.faceNode.insert(out.faceNode.end(), quad.begin(), quad.end());
         const double a = area(model.mesh, side);
         areas += a;
         out.faceThickness.push_back(volume(model.mesh, side.element) / a);
-        out.faceStiffness.push_back(pair.normalScale
-                                    * (isRigid(model, side) ? partner : penalty(model, side)));
+        out.faceStiffness.push_back(
+            share * pair.normalScale
+            * (isRigid(model, side) ? partner / partners : penalty(model, side)));
     }
-    out.meanFaceSize = std::sqrt(areas / double(pair.targetSides.size()));
-    addNeighbours(out);
-    addTargetNodes(out);
-
-    const double diagonal = faceDiagonal(out, model.mesh);
-    out.reach = 0.25 * out.meanFaceSize;
-    const double thickest = *std::max_element(out.faceThickness.begin(), out.faceThickness.end());
-    // However a face turns, its box is no larger than its diagonal; it may stretch by half.
-    out.cellSize = out.search == ContactSearch::faces
-                       ? 1.5 * diagonal + 2 * std::max(out.reach, thickest / 2)
-                       : std::max(out.meanFaceSize, diagonal / std::sqrt(3.0) + out.reach);
+    out.meanFaceSize = std::sqrt(areas / double(target.size()));
+    addTopology(out, model.mesh.points);
+    if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
+    addComponents(out, model, pair, own, target);
     return out;
+}
+
+/// The passes of a pair: one, or two with half the stiffness each. A surface against itself has
+/// each of its nodes against the other's faces and so half the stiffness too.
+void addPasses(std::vector<PairData>& passes, const Model& model, std::size_t number)
+{
+    const ContactPair& pair = model.contactPairs[number];
+    const std::vector<ElementSide>& own = ownSides(model, pair);
+    const bool both = pair.passes == 2;
+    passes.push_back(makePass(model, pair, own, pair.targetSides,
+                              both || pair.kind != ContactKind::pair ? 0.5 : 1.0));
+    passes.back().pair = number;
+    if (!both) return;
+    passes.push_back(makePass(model, pair, pair.targetSides, own, 0.5));
+    passes.back().pair = number;
+    passes.back().reversed = true;
 }
 
 /// False where every component of the node's motion is held or driven: no spring can disturb it.
@@ -166,9 +198,9 @@ void addContact(SolverData& data, const Model& model)
 {
     double largestForce = 0, largestStiffness = 0;
     std::size_t contactors = 0;
-    for (const ContactPair& pair : model.contactPairs) {
-        data.pairs.push_back(makePair(model, pair));
-        const PairData& made = data.pairs.back();
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
+        addPasses(data.pairs, model, pair);
+    for (const PairData& made : data.pairs) {
         contactors += made.contactor.size();
         for (std::size_t face = 0; face < made.faceStiffness.size(); ++face) {
             const double most =

@@ -1,23 +1,9 @@
 #pragma once
 
-#include "kernels/contact/PairView.h"
-#include "kernels/contact/Search.h"
 #include "kernels/particle/NodePass.h"
-#include "parallel/Array.h"
-#include "solver/SolverData.h"
+#include "solver/ContactState.h"
 
 namespace fpm {
-
-/// Copies values into another number type. Static, as all helpers here: a copy of its own for each
-/// vector width, or the linker might keep one that not every processor can run.
-template <class To, class From>
-static std::vector<To> converted(const std::vector<From>& values)
-{
-    std::vector<To> out;
-    out.reserve(values.size());
-    for (const From& value : values) out.push_back(To(value));
-    return out;
-}
 
 template <class Work>
 static std::vector<MaterialConstants<Work>>
@@ -51,75 +37,6 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
     }
     return out;
 }
-
-/// Three planes of a vector field.
-template <class To>
-static std::vector<To> planes(const std::vector<Point>& points)
-{
-    std::vector<To> out(3 * points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) out[c * points.size() + i] = To(points[i][c]);
-    return out;
-}
-
-/// Arrays of one contact pair in the executor's memory.
-template <class Precision, class Executor>
-struct PairState {
-    using Work = typename Precision::Work;
-    template <class T>
-    using Of = Array<T, Executor>;
-
-    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
-        neighbour;
-    Of<Index> target, targetFaceStart, targetFaces, face, head, next;
-    Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction;
-    Of<double> force, spring, dissipated;
-    Of<std::int64_t> released;
-    std::uint32_t mask = 0;
-
-    explicit PairState(const PairData& pair)
-        : contactor(pair.contactor),
-          contactorNumber(pair.contactorNumber),
-          ownFaceStart(pair.ownFaceStart),
-          ownFaceNode(pair.ownFaceNode),
-          faceNode(pair.faceNode),
-          faceNumber(pair.faceNumber),
-          neighbour(pair.neighbour),
-          target(pair.target),
-          targetFaceStart(pair.targetFaceStart),
-          targetFaces(pair.targetFaces),
-          face(std::vector<Index>(pair.contactor.size(), noFace)),
-          faceStiffness(converted<Work>(pair.faceStiffness)),
-          faceThickness(converted<Work>(pair.faceThickness)),
-          ownNormal(3 * pair.contactor.size()),
-          xi(pair.contactor.size()),
-          eta(pair.contactor.size()),
-          friction(pair.friction > 0 ? 3 * pair.contactor.size() : 0),
-          force(3 * pair.contactor.size()),
-          spring(pair.contactor.size()),
-          dissipated(pair.contactor.size()),
-          released(1)
-    {
-        const bool faces = pair.search == ContactSearch::faces;
-        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
-        std::uint32_t size = 16;
-        while (size < 2 * entries) size *= 2;
-        mask = size - 1;
-        head = Of<Index>(size);
-        next = Of<Index>(entries);
-    }
-
-    std::size_t bytes() const
-    {
-        return (contactor.size() * 2 + ownFaceStart.size() + ownFaceNode.size()
-                + faceNode.size() * 3 + target.size() + targetFaceStart.size() + targetFaces.size()
-                + face.size() + head.size() + next.size())
-                   * sizeof(Index)
-               + (faceStiffness.size() * 2 + ownNormal.size() + xi.size() * 2 + friction.size())
-                     * sizeof(Work)
-               + (force.size() + spring.size() + dissipated.size()) * sizeof(double);
-    }
-};
 
 /// All arrays of a run in the executor's memory; allocated once.
 template <class Precision, class Executor>

@@ -35,6 +35,7 @@ public:
     std::size_t deviceBytes() const override { return state_.bytes(); }
     std::string description() const override { return description_; }
     const SolverData& data() const override { return data_; }
+    PairOverlap initialOverlap(std::size_t pair) const override { return overlaps_[pair]; }
 
 private:
     using Work = typename Precision::Work;
@@ -48,7 +49,7 @@ private:
     void elementPass(std::size_t group);
     void contactPasses();
     void searchContact();
-    void searchPair(std::size_t pair);
+    void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
@@ -65,6 +66,7 @@ private:
     std::string description_;
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
+    std::vector<PairOverlap> overlaps_; ///< of each pair of the model
     StepRules rules_;
     bool ledger_, searchesEveryStep_ = false;
     double startEnergy_ = 0;
@@ -83,6 +85,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
       executor_(std::move(executor)),
       description_(std::move(description)),
       state_(data_, model.mesh.points),
+      overlaps_(model.contactPairs.size()),
       elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
 {
     ledger_ = audit || !data_.conditions.empty() || massDamping_ > 0;
@@ -105,7 +108,10 @@ void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& bod
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::start()
 {
-    if (!data_.pairs.empty()) searchContact();
+    if (!data_.pairs.empty()) {
+        searchContact();
+        measureOverlaps();
+    }
     computeForces();
     const Energies first = energies();
     startEnergy_ = first.total - first.external;

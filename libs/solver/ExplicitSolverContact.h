@@ -7,41 +7,14 @@ namespace fpm {
 template <class Precision, class Executor>
 PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t number)
 {
-    PairState<Precision, Executor>& s = state_.pairs[number];
-    const PairData& pair = data_.pairs[number];
-    return {.contactorCount = Index(s.contactor.size()),
-            .faceCount = Index(s.faceThickness.size()),
-            .targetCount = Index(s.target.size()),
-            .contactor = s.contactor.data(),
-            .contactorNumber = s.contactorNumber.data(),
-            .ownFaceStart = s.ownFaceStart.data(),
-            .ownFaceNode = s.ownFaceNode.data(),
-            .faceNode = s.faceNode.data(),
-            .faceNumber = s.faceNumber.data(),
-            .neighbour = s.neighbour.data(),
-            .faceStiffness = s.faceStiffness.data(),
-            .faceThickness = s.faceThickness.data(),
-            .target = s.target.data(),
-            .targetFaceStart = s.targetFaceStart.data(),
-            .targetFaces = s.targetFaces.data(),
-            .ownNormal = s.ownNormal.data(),
-            .face = s.face.data(),
-            .xi = s.xi.data(),
-            .eta = s.eta.data(),
-            .friction = s.friction.data(),
-            .force = s.force.data(),
-            .spring = s.spring.data(),
-            .dissipated = s.dissipated.data(),
-            .released = s.released.data(),
-            .position = state_.position.data(),
-            .velocity = state_.velocity.data(),
-            .nodeStride = std::size_t(data_.nodeCount),
-            .sum = state_.contactSum.data(),
-            .scale = data_.contactScale,
-            .clock = state_.clock.data(),
-            .reach = Work(pair.reach),
-            .frictionCoefficient = Work(pair.friction),
-            .tangentialRatio = Work(pair.tangentialRatio)};
+    PairView<Precision> view = state_.pairs[number].view(data_.pairs[number]);
+    view.position = state_.position.data();
+    view.velocity = state_.velocity.data();
+    view.nodeStride = std::size_t(data_.nodeCount);
+    view.sum = state_.contactSum.data();
+    view.scale = data_.contactScale;
+    view.clock = state_.clock.data();
+    return view;
 }
 
 template <class Precision, class Executor>
@@ -50,8 +23,9 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
     executor_.parallelFor(Index(state_.contactSum.size()),
                           ClearContactSum{state_.contactSum.data(), state_.clock.data()});
     for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair)
-        executor_.parallelFor(Index(state_.pairs[pair].contactor.size()),
-                              ContactForce<Precision>{pairView(pair)});
+        executor_.parallelFor(
+            Index(state_.pairs[pair].contactor.size()),
+            ContactForce<Precision>{pairView(pair), state_.pairs[pair].cells(data_.pairs[pair])});
     using Limit = ContactLimit<typename Precision::Motion>;
     const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),
                       state_.contactInverseMass.data(),  data_.contactScale,
@@ -98,7 +72,9 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchContact()
 {
     ++times_.searches;
-    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair) searchPair(pair);
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass)
+        searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
+                   data_.pairs[pass].search == ContactSearch::faces);
     executor_.parallelFor(
         Index(state_.contactNodes.size()),
         RememberPositions<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
@@ -106,22 +82,30 @@ void ExplicitSolver<Precision, Executor>::searchContact()
                                      state_.searchPosition.data()});
 }
 
+/// Notes what lies inside before the run; it makes full force in passes that do not forgive it.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchPair(std::size_t number)
+void ExplicitSolver<Precision, Executor>::measureOverlaps()
 {
-    PairState<Precision, Executor>& pair = state_.pairs[number];
-    const PairView<Precision> view = pairView(number);
-    const CellLists cells{pair.head.data(), pair.next.data(), pair.mask,
-                          data_.pairs[number].cellSize};
-    const Index contactors = Index(pair.contactor.size());
-    executor_.parallelFor(Index(pair.head.size()), Fill<Index>{pair.head.data(), Index(-1)});
-    executor_.parallelFor(contactors, ContactorNormal<Precision>{view});
-    if (data_.pairs[number].search == ContactSearch::faces) {
-        executor_.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
-        executor_.parallelFor(contactors, FindFace<Precision>{view, cells});
-    } else {
-        executor_.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
-        executor_.parallelFor(contactors, FindClosestParticle<Precision>{view, cells});
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        PairState<Precision, Executor>& pair = state_.pairs[pass];
+        const Index count = Index(pair.contactor.size());
+        executor_.parallelFor(count, MeasureOverlap<Precision>{pairView(pass),
+                                                               pair.cells(data_.pairs[pass]),
+                                                               pair.overlap.data()});
+        executor_.synchronize();
+        const std::vector<Work> depths = pair.overlap.toHost();
+        if (!data_.pairs[pass].forgives)
+            executor_.parallelFor(count, Fill<Work>{pair.overlap.data(), Work(0)});
+        executor_.parallelFor(pairCounts, Fill<std::int64_t>{pair.counts.data(), 0});
+        PairOverlap& found = overlaps_[data_.pairs[pass].pair];
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            // A millionth of a face's width is touching, not overlapping.
+            if (!(double(depths[i]) > 1e-6 * data_.pairs[pass].meanFaceSize)) continue;
+            ++found.count;
+            if (double(depths[i]) <= found.deepest) continue;
+            found.deepest = double(depths[i]);
+            found.node = data_.pairs[pass].contactor[i];
+        }
     }
 }
 

@@ -41,9 +41,11 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.hourglass += patches[i + 2];
         out.bulkViscosity += patches[i + 3];
     }
+    double faded = 0; // what the end of forgiven overlaps put into springs
     for (const auto& pair : state_.pairs) {
         for (const double energy : pair.spring.toHost()) out.contact += energy;
         for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+        for (const double energy : pair.injected.toHost()) faded += energy;
     }
     if (ledger_) {
         const auto sums = works();
@@ -51,6 +53,7 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.external = sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
                        + sums[driveAfter] + closing;
     }
+    out.external += faded;
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
                 + out.friction + out.damping;
     const double scale = std::max({out.kinetic, out.internal, std::abs(out.external)});
@@ -72,14 +75,26 @@ template <class Precision, class Executor>
 PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
 {
     executor_.synchronize();
-    const auto& pair = state_.pairs[number];
-    const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
     PairForce out;
-    const std::size_t count = spring.size();
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < count; ++i) out.force[c] += force[c * count + i];
-    for (const double energy : spring) out.active += energy > 0;
-    out.released = pair.released.toHost()[0];
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        if (data_.pairs[pass].pair != number) continue;
+        const auto& pair = state_.pairs[pass];
+        const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
+        const std::size_t count = spring.size();
+        const double sign = data_.pairs[pass].reversed ? -1 : 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (std::size_t i = 0; i < count; ++i) sum += force[c * count + i];
+            out.force[c] += sign * sum;
+        }
+        for (const double energy : spring) out.active += energy > 0;
+        const std::vector<std::int64_t> counts = pair.counts.toHost();
+        out.released += counts[countReleased];
+        out.overEdge += counts[countOverEdge];
+        out.inside += counts[countInside];
+        out.mistaken += counts[countMistaken];
+        out.crowded += counts[countCrowded];
+    }
     return out;
 }
 

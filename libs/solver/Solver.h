@@ -25,10 +25,22 @@ struct NodalWorks {
     double internal = 0, contact = 0, external = 0, drives = 0, damping = 0;
 };
 
+/// All passes of a pair together; of a surface in contact with itself, and of general contact, the
+/// forces on all nodes as contactors.
 struct PairForce {
-    Point force{0, 0, 0};      ///< on the contactor
-    Index active = 0;          ///< contactors in touch
-    std::int64_t released = 0; ///< let go since the start because they went too deep
+    Point force{0, 0, 0}; ///< on the contactor
+    Index active = 0;     ///< contactors in touch, of both sides where both are
+    /// Since the start: contactors let go because they went too deep, and that left over a free
+    /// edge; searches that found a contactor inside, another face nearer than the one followed, and
+    /// more bodies in reach of a node than it can touch.
+    std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0;
+};
+
+/// Contactors of a pair that lie inside the target before the run.
+struct PairOverlap {
+    Index count = 0;
+    double deepest = 0;
+    Index node = -1; ///< the deepest
 };
 
 /// Seconds spent; on a GPU only the total is known without disturbing the run.
@@ -69,6 +81,7 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual PairOverlap initialOverlap(std::size_t pair) const = 0; ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

@@ -16,18 +16,27 @@ struct KernelGroup {
     std::vector<Index> patches;
 };
 
-/// One contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
+/// One pass of a contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
 struct PairData {
-    std::string name;
+    std::size_t pair = 0;  ///< number in the model
+    bool reversed = false; ///< second pass: the target's nodes are the contactors
     ContactSearch search = ContactSearch::faces;
     double friction = 0, tangentialRatio = 0.1;
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
+    Index levels = 1;           ///< of cells, each twice as wide as the one before
+    Index nodeCount = 0;        ///< contactor nodes; each is `slots` contactors
+    bool forgives = false;      ///< initial overlap makes no force
+    double fadeTime = 0;        ///< > 0: for a time only
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
-    std::vector<Index> faceNode, faceNumber, neighbour;
+    std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
     std::vector<double> faceStiffness, faceThickness;
     std::vector<Index> target, targetFaceStart, targetFaces;
+    std::vector<Index> excludedStart, excluded; ///< empty: none
+    std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
+    std::vector<std::uint8_t> mayMeet;
+    Index components = 1;
 };
 
 /// Where the state of one element lies: first value of it and of its plastic strains; further
@@ -80,6 +89,9 @@ struct SolverData {
 SolverData makeSolverData(const Model& model);
 /// The contact part of makeSolverData.
 void addContact(SolverData& data, const Model& model);
+/// Completes a pass from its faces, their thickness and contactors: neighbours, faces around nodes,
+/// reach and cells.
+void addTopology(PairData& pair, const std::vector<Point>& points);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.

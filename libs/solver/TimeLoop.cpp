@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "io/AtomicFile.h"
+#include "solver/ContactWatch.h"
 #include "solver/Histories.h"
 #include "solver/Performance.h"
 #include "solver/resultFrame.h"
@@ -98,6 +99,7 @@ private:
         const SignalWatch signals;
         energies_ = solver_.energies();
         histories_.sample(solver_, energies_);
+        reportOverlaps(solver_, model_, run_.log);
         writeFrame();
         while (!done()) {
             const double nextFrame = frameTime(frames_);
@@ -191,6 +193,7 @@ private:
         fpm::writeFrame(run_.theCase.root(), name, resultFrame(solver_, model_),
                         model_.mesh.points.size(), model_.mesh.hexahedra.size());
         run_.log.line(format("Time = {}", name));
+        watchEdges(solver_, model_, edgesCross_, run_.log);
         lastFrame_ = clock_.time;
         ++frames_;
     }
@@ -213,12 +216,7 @@ private:
     {
         energies_ = solver_.energies();
         reportEnergies();
-        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
-            if (const auto lost = solver_.pairForce(pair).released; lost > 0)
-                run_.log.warning(
-                    format("{} contactor nodes of pair {} went deeper than the target is "
-                           "thick and were let go",
-                           lost, model_.contactPairs[pair].name));
+        reportContact(solver_, model_, run_.log);
         reportPerformance(solver_, model_, run_);
         run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
     }
@@ -251,6 +249,7 @@ private:
     Energies energies_;
     std::int64_t frames_ = 0, samples_ = 1;
     double nextLine_ = 1, lastFrame_ = 0;
+    std::vector<bool> edgesCross_; ///< pairs already warned of
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

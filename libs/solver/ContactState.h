@@ -1,0 +1,175 @@
+#pragma once
+
+#include "kernels/contact/Search.h"
+#include "kernels/contact/Travel.h"
+#include "parallel/Array.h"
+#include "solver/SolverData.h"
+
+namespace fpm {
+
+/// Copies values into another number type. Static, as all helpers here: a copy of its own for each
+/// vector width, or the linker might keep one that not every processor can run.
+template <class To, class From>
+static std::vector<To> converted(const std::vector<From>& values)
+{
+    std::vector<To> out;
+    out.reserve(values.size());
+    for (const From& value : values) out.push_back(To(value));
+    return out;
+}
+
+/// Three planes of a vector field.
+template <class To>
+static std::vector<To> planes(const std::vector<Point>& points)
+{
+    std::vector<To> out(3 * points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) out[c * points.size() + i] = To(points[i][c]);
+    return out;
+}
+
+/// Arrays of one pass of a contact pair in the executor's memory.
+template <class Precision, class Executor>
+struct PairState {
+    using Work = typename Precision::Work;
+    template <class T>
+    using Of = Array<T, Executor>;
+
+    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
+        faceTarget, neighbour;
+    Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
+        contactorComponent, face, head, next;
+    Of<std::uint8_t> mayMeet, intricate;
+    Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
+    Of<double> force, spring, dissipated, injected;
+    Of<std::int64_t> counts;
+    std::uint32_t mask = 0;
+
+    explicit PairState(const PairData& pair)
+        : contactor(pair.contactor),
+          contactorNumber(pair.contactorNumber),
+          ownFaceStart(pair.ownFaceStart),
+          ownFaceNode(pair.ownFaceNode),
+          faceNode(pair.faceNode),
+          faceNumber(pair.faceNumber),
+          faceTarget(pair.faceTarget),
+          neighbour(pair.neighbour),
+          target(pair.target),
+          targetFaceStart(pair.targetFaceStart),
+          targetFaces(pair.targetFaces),
+          excludedStart(pair.excludedStart),
+          excluded(pair.excluded),
+          faceComponent(pair.faceComponent),
+          contactorComponent(pair.contactorComponent),
+          face(std::vector<Index>(pair.contactor.size(), noFace)),
+          mayMeet(pair.mayMeet),
+          intricate(pair.contactor.size()),
+          faceStiffness(converted<Work>(pair.faceStiffness)),
+          faceThickness(converted<Work>(pair.faceThickness)),
+          ownNormal(3 * std::size_t(pair.nodeCount)),
+          xi(pair.contactor.size()),
+          eta(pair.contactor.size()),
+          friction(pair.friction > 0 ? 3 * pair.contactor.size() : 0),
+          overlap(pair.contactor.size()),
+          force(3 * pair.contactor.size()),
+          spring(pair.contactor.size()),
+          dissipated(pair.contactor.size()),
+          injected(pair.fadeTime > 0 ? pair.contactor.size() : 0),
+          counts(pairCounts)
+    {
+        const bool faces = pair.search == ContactSearch::faces;
+        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
+        std::uint32_t size = 16;
+        while (size < 2 * entries) size *= 2;
+        mask = size - 1;
+        head = Of<Index>(size);
+        next = Of<Index>(entries);
+    }
+
+    /// What the kernels see of the pair, but for the state of the particles.
+    PairView<Precision> view(const PairData& pair)
+    {
+        PairView<Precision> v{};
+        v.contactorCount = Index(contactor.size());
+        v.faceCount = Index(faceThickness.size());
+        v.targetCount = Index(target.size());
+        v.nodeCount = pair.nodeCount;
+        v.contactor = contactor.data();
+        v.contactorNumber = contactorNumber.data();
+        v.ownFaceStart = ownFaceStart.data();
+        v.ownFaceNode = ownFaceNode.data();
+        v.faceNode = faceNode.data();
+        v.faceNumber = faceNumber.data();
+        v.faceTarget = faceTarget.data();
+        v.neighbour = neighbour.data();
+        v.faceStiffness = faceStiffness.data();
+        v.faceThickness = faceThickness.data();
+        v.target = target.data();
+        v.targetFaceStart = targetFaceStart.data();
+        v.targetFaces = targetFaces.data();
+        v.excludedStart = excludedStart.data();
+        v.excluded = excluded.data();
+        v.faceComponent = faceComponent.data();
+        v.contactorComponent = contactorComponent.data();
+        v.mayMeet = mayMeet.data();
+        v.components = pair.components;
+        v.ownNormal = ownNormal.data();
+        v.face = face.data();
+        v.xi = xi.data();
+        v.eta = eta.data();
+        v.intricate = intricate.data();
+        v.friction = friction.data();
+        v.force = force.data();
+        v.spring = spring.data();
+        v.dissipated = dissipated.data();
+        v.counts = counts.data();
+        v.overlap = overlap.data();
+        v.injected = injected.data();
+        v.fadeTime = pair.fadeTime;
+        v.reach = Work(pair.reach);
+        v.frictionCoefficient = Work(pair.friction);
+        v.tangentialRatio = Work(pair.tangentialRatio);
+        return v;
+    }
+
+    CellLists cells(const PairData& pair)
+    {
+        return {head.data(), next.data(), mask, pair.cellSize, pair.levels};
+    }
+
+    std::size_t bytes() const
+    {
+        std::size_t sum = 0;
+        for (const Of<Index>* array :
+             {&contactor, &contactorNumber, &ownFaceStart, &ownFaceNode, &faceNode, &faceNumber,
+              &faceTarget, &neighbour, &target, &targetFaceStart, &targetFaces, &excludedStart,
+              &excluded, &faceComponent, &contactorComponent, &face, &head, &next})
+            sum += array->bytes();
+        for (const Of<Work>* array :
+             {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap})
+            sum += array->bytes();
+        for (const Of<double>* array : {&force, &spring, &dissipated, &injected})
+            sum += array->bytes();
+        return sum + mayMeet.bytes() + intricate.bytes() + counts.bytes();
+    }
+};
+
+/// Enters the target of a pass into its cells and finds the face of every contactor.
+template <class Precision, class Executor>
+void searchPass(Executor& executor,
+                const PairView<Precision>& view,
+                const CellLists& cells,
+                bool faces)
+{
+    executor.parallelFor(Index(cells.mask) + 1, Fill<Index>{cells.head, Index(-1)});
+    executor.parallelFor(view.nodeCount, ContactorNormal<Precision>{view});
+    if (faces) {
+        executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
+        executor.parallelFor(view.nodeCount, FindFace<Precision>{view, cells});
+    } else {
+        executor.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
+        executor.parallelFor(view.nodeCount, FindClosestParticle<Precision>{view, cells});
+    }
+}
+
+} // namespace fpm
