@@ -82,6 +82,12 @@ bool Dictionary::isDictionary(std::string_view key) const
     return entry != nullptr && entry->isDictionary();
 }
 
+bool Dictionary::isBare(std::string_view key) const
+{
+    const auto* entry = node_->ask(key);
+    return entry != nullptr && !entry->isDictionary() && entry->values.empty();
+}
+
 std::vector<std::string> Dictionary::keys() const
 {
     std::vector<std::string> result;

@@ -114,7 +114,7 @@ PairEntry readGeneral(const Dictionary& contactDict)
         if (general.initialOverlap == InitialOverlap::move)
             entry.fail("initialOverlap", "in general contact nothing says which body should move",
                        "give the two bodies a pair of their own with 'initialOverlap move;'");
-    } else if (!contactDict.words(generalContact).empty())
+    } else if (!contactDict.isBare(generalContact))
         contactDict.fail(generalContact, "general contact has no value",
                          "write 'general;', or 'general { friction 0.2; }'");
     return general;

@@ -74,7 +74,7 @@ struct PairState {
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
           dissipated(pair.contactor.size()),
-          injected(pair.fadeTime > 0 ? pair.contactor.size() : 0),
+          injected(pair.fadeTime > 0 ? 2 * pair.contactor.size() : 0),
           counts(pairCounts)
     {
         const bool faces = pair.search == ContactSearch::faces;

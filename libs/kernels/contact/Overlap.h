@@ -22,7 +22,8 @@ struct MeasureOverlap {
 };
 
 /// The gap without the depth at which the contactor was found. That shrinks as the contactor comes
-/// out, and to nothing over `fadeTime` where there is one; the work it does in fading is booked.
+/// out, and to nothing over `fadeTime` where there is one; then what it puts into the spring and
+/// into the motion, trapezoidal as the nodes' work, is booked.
 template <class Precision>
 FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
                                                 Index i,
@@ -32,16 +33,22 @@ FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
     using Work = typename Precision::Work;
     Work forgiven = pair.overlap[i];
     if (!(forgiven > 0)) return gap;
-    const Work depth = gap < 0 ? -gap : Work(0);
-    if (depth < forgiven) pair.overlap[i] = forgiven = depth;
-    if (!pair.injected) return gap + forgiven;
-    const double left = pair.fadeTime - pair.clock->time, before = left + pair.clock->step;
-    if (!(before > 0)) return gap + forgiven; // found after the fade
-    const Work less = left > 0 ? forgiven * Work(left / before) : Work(0);
-    const Work was = gap + forgiven, is = gap + less;
-    pair.injected[i] += double(Work(0.5) * stiffness * (is * is - (was < 0 ? was * was : Work(0))));
-    pair.overlap[i] = less;
-    return is;
+    const Work before = forgiven, depth = gap < 0 ? -gap : Work(0);
+    if (depth < forgiven) forgiven = depth;
+    const double left = pair.fadeTime - pair.clock->time, since = left + pair.clock->step;
+    if (!pair.injected || !(since > 0)) { // found after the fade
+        pair.overlap[i] = forgiven;
+        return gap + forgiven;
+    }
+    forgiven = left > 0 ? forgiven * Work(left / since) : Work(0);
+    double& last = pair.injected[pair.contactorCount + i];
+    if (!(pair.clock->step > 0)) last = double(gap);
+    const double was = last + double(before) < 0 ? last + double(before) : 0,
+                 is = double(gap + forgiven), way = double(gap) - last;
+    pair.injected[i] += 0.5 * double(stiffness) * (is * is - was * was - (is + was) * way);
+    last = double(gap);
+    pair.overlap[i] = forgiven;
+    return gap + forgiven;
 }
 
 } // namespace fpm
