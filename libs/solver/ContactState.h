@@ -39,7 +39,7 @@ struct PairState {
         faceTarget, neighbour;
     Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
         contactorComponent, face, head, next;
-    Of<std::uint8_t> mayMeet, intricate;
+    Of<std::uint8_t> mayMeet, around;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
     Of<double> force, spring, dissipated, injected;
     Of<std::int64_t> counts;
@@ -63,7 +63,7 @@ struct PairState {
           contactorComponent(pair.contactorComponent),
           face(std::vector<Index>(pair.contactor.size(), noFace)),
           mayMeet(pair.mayMeet),
-          intricate(pair.contactor.size()),
+          around(pair.contactor.size()),
           faceStiffness(converted<Work>(pair.faceStiffness)),
           faceThickness(converted<Work>(pair.faceThickness)),
           ownNormal(3 * std::size_t(pair.nodeCount)),
@@ -117,7 +117,7 @@ struct PairState {
         v.face = face.data();
         v.xi = xi.data();
         v.eta = eta.data();
-        v.intricate = intricate.data();
+        v.around = around.data();
         v.friction = friction.data();
         v.force = force.data();
         v.spring = spring.data();
@@ -150,7 +150,7 @@ struct PairState {
             sum += array->bytes();
         for (const Of<double>* array : {&force, &spring, &dissipated, &injected})
             sum += array->bytes();
-        return sum + mayMeet.bytes() + intricate.bytes() + counts.bytes();
+        return sum + mayMeet.bytes() + around.bytes() + counts.bytes();
     }
 };
 

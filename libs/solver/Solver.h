@@ -81,7 +81,7 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
-    virtual PairOverlap initialOverlap(std::size_t pair) const = 0; ///< known after start()
+    virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

@@ -25,15 +25,15 @@ struct PairData {
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
-    Index levels = 1;           ///< of cells, each twice as wide as the one before
-    Index nodeCount = 0;        ///< contactor nodes; each is `slots` contactors
-    bool forgives = false;      ///< initial overlap makes no force
-    double fadeTime = 0;        ///< > 0: for a time only
+    Index levels = 1;      ///< of cells, each twice as wide as the one before
+    Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
+    bool forgives = false; ///< initial overlap makes no force
+    double fadeTime = 0;   ///< > 0: for a time only
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
     std::vector<double> faceStiffness, faceThickness;
     std::vector<Index> target, targetFaceStart, targetFaces;
-    std::vector<Index> excludedStart, excluded; ///< empty: none
+    std::vector<Index> excludedStart, excluded;           ///< empty: none
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
     std::vector<std::uint8_t> mayMeet;
     Index components = 1;

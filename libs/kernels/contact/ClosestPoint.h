@@ -96,18 +96,24 @@ FPM_KERNEL FacePoint<Work> closestTrianglePoint(const FaceCorners<Work>& face,
     return best;
 }
 
+/// Inside the face, its borders included: wider than rounding, far below what a gap can notice.
+template <class Work>
+FPM_KERNEL bool isInside(Work xi, Work eta)
+{
+    const Work border = Work(1) + (sizeof(Work) == 8 ? Work(1e-8) : Work(1e-4));
+    return xi <= border && -xi <= border && eta <= border && -eta <= border;
+}
+
 /// Nearest point of the face, from a start value near it or (0, 0). Newton's method inside; on the
 /// edges, segment by segment; on the two triangles where Newton fails, as it may on strongly warped
 /// faces that are a face's width away.
 template <class Work>
 FPM_KERNEL FacePoint<Work> closestPoint(const FaceCorners<Work>& face, Work xi, Work eta)
 {
-    // Wider than rounding, far below what a gap or force can notice.
-    const Work border = Work(1) + (sizeof(Work) == 8 ? Work(1e-8) : Work(1e-4));
     FacePoint<Work> rim{0, 0, 0, insideFace};
     for (int attempt = 0; attempt < 2; ++attempt) {
         const bool found = project(face, xi, eta);
-        if (found && xi <= border && -xi <= border && eta <= border && -eta <= border) {
+        if (found && isInside(xi, eta)) {
             xi = clampedUnit(xi);
             eta = clampedUnit(eta);
             Vec3<Work> r, t1, t2;

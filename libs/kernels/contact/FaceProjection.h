@@ -79,7 +79,8 @@ FPM_KERNEL Work projectionStep(const FaceCorners<Work>& face, Work& xi, Work& et
 template <class Work>
 FPM_KERNEL bool project(const FaceCorners<Work>& face, Work& xi, Work& eta)
 {
-    const Work enough = sizeof(Work) == 8 ? Work(1e-10) : Work(1e-5);
+    // The step after this one would be of the order of its square: rounding.
+    const Work enough = sizeof(Work) == 8 ? Work(1e-7) : Work(1e-4);
     for (int iteration = 0; iteration < 10; ++iteration) {
         const Work step = projectionStep(face, xi, eta);
         if (step < 0) return false;

@@ -28,6 +28,11 @@ enum PairCount {
     pairCounts
 };
 
+/// What is in reach of a contactor. Flat: faces that differ by a degree at most, the one above
+/// which it lies is the nearest. Curved: a neighbour may be nearer. Intricate: faces that turn by
+/// more than 60 degrees, or across a gap, so that hops might not find the nearest.
+enum Around : std::uint8_t { aroundFlat, aroundCurved, aroundIntricate };
+
 /// Bodies (parts) that one contactor may touch at once.
 inline constexpr int maxSlots = 3;
 
@@ -68,15 +73,15 @@ struct PairView {
     Work* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
     Index* face;
     Work *xi, *eta;
-    std::uint8_t* intricate; ///< faces that look other ways are in reach: tried at every step
-    Work* friction;          ///< tangential force at the last step
-    double* force;           ///< on the contactor, this step
-    double* spring;          ///< recoverable energy of normal and tangential spring
-    double* dissipated;      ///< by friction, running sum
-    std::int64_t* counts;    ///< as PairCount
-    Work* overlap;           ///< depth at which it was found, that makes no force
-    double* injected;        ///< work of overlaps that fade with time; null: they do not
-    double fadeTime;         ///< > 0: over which they do
+    std::uint8_t* around; ///< what the last search found around it, as Around
+    Work* friction;       ///< tangential force at the last step
+    double* force;        ///< on the contactor, this step
+    double* spring;       ///< recoverable energy of normal and tangential spring
+    double* dissipated;   ///< by friction, running sum
+    std::int64_t* counts; ///< as PairCount
+    Work* overlap;        ///< depth at which it was found, that makes no force
+    double* injected;     ///< work of overlaps that fade with time; null: they do not
+    double fadeTime;      ///< > 0: over which they do
 
     const Position* position;
     const Motion* velocity;

@@ -39,7 +39,7 @@ struct SlotChoice {
     const PairView<Precision>& pair;
     Index node; ///< number among the pair's nodes
 
-    FPM_KERNEL void enter(NearestFaces<Work>& found, bool intricate) const
+    FPM_KERNEL void enter(NearestFaces<Work>& found, Around around) const
     {
         if (found.crowded) atomicAdd64(pair.counts + countCrowded, 1);
         const int slots = int(pair.contactorCount / pair.nodeCount);
@@ -64,8 +64,7 @@ struct SlotChoice {
                 forgive(i, found.best[match].gap);
                 placed[match] = true;
             }
-        for (int slot = 0; slot < slots; ++slot)
-            pair.intricate[node + slot * pair.nodeCount] = intricate;
+        for (int slot = 0; slot < slots; ++slot) pair.around[node + slot * pair.nodeCount] = around;
     }
 
 private:
@@ -114,35 +113,33 @@ struct FindFace {
                 if (partners < mostPartners) partner[partners] = entry / 8;
                 ++partners;
             }
-        SlotChoice<Precision>{pair, node}.enter(
-            found, partners > 1 && isIntricate(node, found, partner, partners));
+        SlotChoice<Precision>{pair, node}.enter(found, around(node, found, partner, partners));
     }
 
 private:
     static constexpr int mostPartners = 12;
 
-    /// Whether a face that hops from the nearest might not reach may become the nearest before the
-    /// next search: one of the same body that turns by more than 60 degrees, or lies across a gap.
-    FPM_KERNEL bool isIntricate(Index node,
-                                const NearestFaces<Work>& found,
-                                const Index (&partner)[mostPartners],
-                                int partners) const
+    FPM_KERNEL Around around(Index node,
+                             const NearestFaces<Work>& found,
+                             const Index (&partner)[mostPartners],
+                             int partners) const
     {
-        if (partners > mostPartners) return true; // too many to tell
-        for (int p = 0; p < partners; ++p)
+        if (partners > mostPartners) return aroundIntricate; // too many to tell
+        Around result = aroundFlat;
+        for (int p = 0; partners > 1 && p < partners; ++p)
             for (int k = 0; k < found.count; ++k) {
                 const Index best = found.best[k].face;
-                if (found.component[k] == pair.componentOf(partner[p]) && best != partner[p]
-                    && (turned(pair.contactor[node], best, partner[p]) || apart(best, partner[p])))
-                    return true;
+                if (found.component[k] != pair.componentOf(partner[p]) || best == partner[p])
+                    continue;
+                const Work cosine = dot(normalOf(node, best), normalOf(node, partner[p]));
+                if (!(cosine > Work(0.5)) || apart(best, partner[p])) return aroundIntricate;
+                if (cosine < Work(0.9998)) result = aroundCurved;
             }
-        return false;
+        return result;
     }
-    FPM_KERNEL bool turned(Index origin, Index a, Index b) const
+    FPM_KERNEL Vec3<Work> normalOf(Index node, Index face) const
     {
-        const Vec3<Work> na = gapAt(pair.corners(a, origin), Work(0), Work(0)).normal,
-                         nb = gapAt(pair.corners(b, origin), Work(0), Work(0)).normal;
-        return !(dot(na, nb) > Work(0.5));
+        return gapAt(pair.corners(face, pair.contactor[node]), Work(0), Work(0)).normal;
     }
     /// No common node, and a free edge at one of them.
     FPM_KERNEL bool apart(Index a, Index b) const
@@ -177,7 +174,7 @@ struct FindClosestParticle {
                 Candidate<Work> candidate;
                 if (isPartner(pair, i, pair.targetFaces[k], candidate)) found.add(candidate, 0, 1);
             }
-        SlotChoice<Precision>{pair, i}.enter(found, false);
+        SlotChoice<Precision>{pair, i}.enter(found, aroundCurved);
     }
 
 private:

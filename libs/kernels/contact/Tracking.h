@@ -14,9 +14,9 @@ struct Tracked {
 };
 
 /// Follows a contactor from face to face between searches: always to the nearest, by its warm
-/// projection and a look across the edges near it. Where faces that look other ways are in reach
-/// (`intricate`) the cells of the last search are tried, so that the tracker cannot miss what the
-/// search would find.
+/// projection and, where the surface is not flat, a look across the edges near it. Where faces that
+/// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
+/// so that the tracker cannot miss what the search would find.
 template <class Precision>
 struct FaceTracker {
     using Work = typename Precision::Work;
@@ -31,10 +31,16 @@ struct FaceTracker {
         Candidate<Work> here;
         here.face = pair.face[i];
         FaceCorners<Work> corners = pair.corners(here.face, pair.contactor[i]);
-        here.point = closestPoint(corners, pair.xi[i], pair.eta[i]);
+        Work xi = pair.xi[i], eta = pair.eta[i];
+        if (project(corners, xi, eta) && pair.around[i] == aroundFlat && isInside(xi, eta)) {
+            const Work a = clampedUnit(xi), b = clampedUnit(eta);
+            return {here.face, a, b, gapAt(corners, a, b), false};
+        }
+        here.point = closestPoint(corners, xi, eta);
         for (int hop = 0; hop < maxHops && hopped(i, here, corners); ++hop)
-            if (hop == maxHops - 1) pair.intricate[i] = 1; // too far for hops: the cells know
-        if (pair.intricate[i]) tryCells(i, here, corners);
+            if (hop == maxHops - 1)
+                pair.around[i] = aroundIntricate; // too far for hops: the cells know
+        if (pair.around[i] == aroundIntricate) tryCells(i, here, corners);
         Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false};
         out.at = SignedGap<Precision>{pair, i}.at(here.face, corners, here.point, out.beyond);
         return out;
