@@ -104,8 +104,12 @@ TEST_P(EqualBits, HoldForTheOtherKindsOfContact)
     for (const Model& model : otherKinds(GetParam())) {
         const int steps = 160; // the fold touches after 120
         const auto solver = startedSolver(model);
-        solver->advance(1, steps);
-        EXPECT_GT(solver->energies().contact, 0);
+        Index touched = 0;
+        for (int call = 0; call < steps / 10; ++call) {
+            solver->advance(1, 10);
+            touched = std::max(touched, solver->pairForce(0).active);
+        }
+        EXPECT_GT(touched, 0);
         const std::uint64_t scalar = checksumOf(model, "serial", 1, "scalar", steps);
         EXPECT_EQ(checksumOf(model, "serial", 1, "avx2", steps), scalar);
         if (hasAvx512()) {
