@@ -89,6 +89,12 @@ bool Dictionary::isList(std::string_view key) const
            && entry->values.front().kind == TokenKind::openBracket;
 }
 
+bool Dictionary::isBare(std::string_view key) const
+{
+    const auto* entry = node_->ask(key);
+    return entry != nullptr && !entry->isDictionary() && entry->values.empty();
+}
+
 std::vector<std::string> Dictionary::keys() const
 {
     std::vector<std::string> result;

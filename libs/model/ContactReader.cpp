@@ -74,17 +74,48 @@ SurfaceEntry readSurface(const Dictionary& entry, const std::string& name)
     return surface;
 }
 
+/// What pairs and general contact have in common.
+void readOptions(PairEntry& pair, const Dictionary& entry)
+{
+    static_cast<ContactLaw&>(pair) = readContactLaw(entry);
+    const std::string overlap =
+        entry.choiceOr("initialOverlap", "report", {"report", "offset", "ramp", "move"});
+    pair.initialOverlap = overlap == "offset" ? InitialOverlap::offset
+                          : overlap == "ramp" ? InitialOverlap::ramp
+                          : overlap == "move" ? InitialOverlap::move
+                                              : InitialOverlap::report;
+    if (pair.initialOverlap == InitialOverlap::ramp)
+        pair.rampTime = entry.number("rampTime", positive());
+}
+
 PairEntry readPair(const Dictionary& entry, const std::string& name)
 {
     PairEntry pair;
     pair.name = name;
     pair.contactor = entry.word("contactor");
     pair.target = entry.word("target");
-    static_cast<ContactLaw&>(pair) = readContactLaw(entry);
+    readOptions(pair, entry);
     pair.search = entry.choiceOr("search", "faces", {"faces", "closestParticle"}) == "faces"
                       ? ContactSearch::faces
                       : ContactSearch::closestParticle;
+    pair.passes = entry.choiceOr("passes", "one", {"one", "two"}) == "two" ? 2 : 1;
     return pair;
+}
+
+PairEntry readGeneral(const Dictionary& contactDict)
+{
+    PairEntry general;
+    general.name = generalContact;
+    if (contactDict.isDictionary(generalContact)) {
+        const Dictionary entry = contactDict.sub(generalContact);
+        readOptions(general, entry);
+        if (general.initialOverlap == InitialOverlap::move)
+            entry.fail("initialOverlap", "in general contact nothing says which body should move",
+                       "give the two bodies a pair of their own with 'initialOverlap move;'");
+    } else if (!contactDict.isBare(generalContact))
+        contactDict.fail(generalContact, "general contact has no value",
+                         "write 'general;', or 'general { friction 0.2; }'");
+    return general;
 }
 
 std::string exactText(const Point& point)
@@ -118,8 +149,13 @@ ContactEntries readContactEntries(const Dictionary& contactDict)
             entries.surfaces.push_back(readSurface(entry, name));
     }
 
-    const Dictionary pairs = contactDict.sub("pairs");
+    const bool general = contactDict.has(generalContact);
+    if (general) entries.general = readGeneral(contactDict);
+    const Dictionary pairs = general ? contactDict.subOrEmpty("pairs") : contactDict.sub("pairs");
     for (const std::string& name : pairs.keys()) {
+        if (name == generalContact)
+            pairs.fail(name, "'general' is the name of contact of all bodies with all",
+                       "write 'general;' outside of 'pairs', or give the pair another name");
         entries.pairs.push_back(readPair(pairs.sub(name), name));
         if (!isFileName(name))
             pairs.fail(name, "'" + name + "' cannot be the name of a file under postProcessing",
@@ -152,7 +188,9 @@ std::string surfaceText(const ContactEntries& entries)
     }
     for (const PairEntry& pair : entries.pairs)
         text += format("pair {} {} {}{}\n", pair.name, pair.contactor, pair.target,
+                       pair.initialOverlap == InitialOverlap::move ? " move" : "",
                        entries.rigidSurface(pair.target) >= 0 ? " analytic" : "");
+    if (entries.general) text += "general\n";
     return text;
 }
 

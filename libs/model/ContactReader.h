@@ -28,13 +28,20 @@ struct PairEntry : ContactLaw {
     std::string name;
     std::string contactor, target; ///< a surface, a part or a side set; target also analytic
     ContactSearch search = ContactSearch::faces;
+    int passes = 1;
+    InitialOverlap initialOverlap = InitialOverlap::report;
+    double rampTime = 0;
 };
+
+/// Name of general contact among the pairs: in the mesh file, under postProcessing, in messages.
+inline const std::string generalContact = "general";
 
 struct ContactEntries {
     std::vector<SurfaceEntry> surfaces;
     std::vector<RigidSurface> rigidSurfaces;
     std::vector<PairEntry> pairs;
     Index rigidSurface(const std::string& name) const; ///< its number, -1: none of that name
+    std::optional<PairEntry> general; ///< all bodies against all; no contactor, no target
 };
 ContactEntries readContactEntries(const Dictionary& contactDict);
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace fpm {
 
@@ -78,11 +80,7 @@ ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces)
                 pointsAway[hit.face] = true;
                 continue;
             }
-            ++fit.overlaps;
-            if (-hit.height > fit.deepest) {
-                fit.deepest = -hit.height;
-                fit.deepestNode = node;
-            }
+            fit.overlaps.push_back({node, -hit.height, hit.point});
         } else if (hit.height >= -touching && dot(outward[i], normal(mesh, side)) < 0) {
             ++fit.facingNodes;
             const double gap = hit.distance <= touching ? 0.0 : hit.distance;
@@ -98,9 +96,41 @@ ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces)
     return fit;
 }
 
+void reportOverlaps(const Mesh& mesh,
+                    const std::string& pair,
+                    const ContactFit& fit,
+                    InitialOverlap overlap,
+                    Log& log)
+{
+    if (fit.overlaps.empty()) return;
+    const auto deepest =
+        std::max_element(fit.overlaps.begin(), fit.overlaps.end(),
+                         [](const auto& a, const auto& b) { return a.depth < b.depth; });
+    const std::string what =
+        format("pair {}: {} contactor nodes lie inside the target, deepest {} ({} of a face's "
+               "width) at node {} {}",
+               pair, fit.overlaps.size(), deepest->depth, deepest->depth / fit.targetSize,
+               deepest->node, pointText(mesh.points[std::size_t(deepest->node)]));
+    switch (overlap) {
+    case InitialOverlap::report:
+        log.warning(what + "; they are pushed out at the first step (see 'initialOverlap')");
+        break;
+    case InitialOverlap::offset:
+        log.line(what + "; this makes no force until they have come out");
+        break;
+    case InitialOverlap::ramp:
+        log.line(what + "; the force of this grows over rampTime");
+        break;
+    case InitialOverlap::move:
+        log.line(what + "; they are moved to the surface, free of stress");
+        break;
+    }
+}
+
 void reportContact(const Mesh& mesh,
                    const ContactSurfaces& surfaces,
                    const ContactFit& fit,
+                   InitialOverlap overlap,
                    Log& log)
 {
     log.line(format("pair {}: {} contactor nodes (area {}), {} target faces (area {})",
@@ -109,21 +139,46 @@ void reportContact(const Mesh& mesh,
     if (fit.facingNodes > 0)
         log.line(format("    initial gap: smallest {}, mean {} over {} nodes that face the target",
                         fit.smallestGap, fit.meanGap, fit.facingNodes));
-    else if (fit.overlaps == 0 && fit.facesPointingAway == 0)
+    else if (fit.overlaps.empty() && fit.facesPointingAway == 0)
         log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
                            "the surfaces that meet?",
                            surfaces.pair));
-    if (fit.overlaps > 0)
-        log.warning(format("pair {}: {} contactor nodes lie inside the target, deepest {} ({} of a "
-                           "face's width) at node {} {}; they are pushed out at the first step",
-                           surfaces.pair, fit.overlaps, fit.deepest, fit.deepest / fit.targetSize,
-                           fit.deepestNode, pointText(mesh.points[std::size_t(fit.deepestNode)])));
+    reportOverlaps(mesh, surfaces.pair, fit, overlap, log);
     if (fit.facesPointingAway > 0)
         log.warning(
             format("pair {}: {} target faces point away from the contactor nodes nearest to "
                    "them, which lie deeper behind than one element; narrow the target with "
                    "'facing', or check the positions of the bodies",
                    surfaces.pair, fit.facesPointingAway));
+}
+
+void reportSeams(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log)
+{
+    double areas = 0;
+    std::map<Index, std::set<Index>> together; // nodes of one face
+    for (const ElementSide& side : surfaces.targetSides) {
+        areas += area(mesh, side);
+        const Quad quad = mesh.sideNodes(side);
+        for (const Index node : quad) together[node].insert(quad.begin(), quad.end());
+    }
+    const double close = 1e-6 * std::sqrt(areas / double(surfaces.targetSides.size()));
+    std::vector<Index> nodes = nodesOf(mesh, surfaces.targetSides);
+    const auto x = [&](Index node) { return mesh.points[std::size_t(node)][0]; };
+    std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) { return x(a) < x(b); });
+    std::set<Index> doubled;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = i + 1; j < nodes.size() && x(nodes[j]) - x(nodes[i]) <= close; ++j)
+            if (length(difference(mesh.points[std::size_t(nodes[i])],
+                                  mesh.points[std::size_t(nodes[j])]))
+                    <= close
+                && !together[nodes[i]].count(nodes[j]))
+                doubled.insert({nodes[i], nodes[j]});
+    if (doubled.empty()) return;
+    log.warning(format("pair {}: {} target nodes lie on one another without being one, first node "
+                       "{} at {}: the target has a seam there, contactors may slip through when "
+                       "it opens",
+                       surfaces.pair, doubled.size(), *doubled.begin(),
+                       pointText(mesh.points[std::size_t(*doubled.begin())])));
 }
 
 void reportSharing(const std::vector<ContactSurfaces>& pairs, Log& log)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Log.h"
-#include "mesh/Mesh.h"
+#include "model/Model.h"
 
 namespace fpm {
 
@@ -10,9 +10,13 @@ struct ContactFit {
     double contactorArea = 0, targetArea = 0;
     std::size_t facingNodes = 0;         ///< contactor nodes that look at the target
     double smallestGap = 0, meanGap = 0; ///< of those that do not overlap
-    std::size_t overlaps = 0;            ///< contactor nodes inside the target
-    double deepest = 0;                  ///< depth of the deepest of them
-    Index deepestNode = -1;
+    /// A contactor node inside the target, and the place on the target nearest to it.
+    struct Overlap {
+        Index node;
+        double depth;
+        Point surface;
+    };
+    std::vector<Overlap> overlaps;
     double targetSize = 0;             ///< mean width of a target face
     std::size_t facesPointingAway = 0; ///< target faces whose nearest nodes lie deep behind them
 };
@@ -22,7 +26,19 @@ ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces);
 void reportContact(const Mesh& mesh,
                    const ContactSurfaces& surfaces,
                    const ContactFit& fit,
+                   InitialOverlap overlap,
                    Log& log);
+
+/// Warns of the overlaps alone: how many, how deep, where, and what becomes of them.
+void reportOverlaps(const Mesh& mesh,
+                    const std::string& pair,
+                    const ContactFit& fit,
+                    InitialOverlap overlap,
+                    Log& log);
+
+/// Warns of target nodes that lie on one another without being the same: a seam of the mesh, where
+/// faces that look connected are not.
+void reportSeams(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log);
 
 /// Warns where two pairs have both the same contactor nodes and the same target sides, so that the
 /// penalty acts twice; says where they share only contactor nodes.

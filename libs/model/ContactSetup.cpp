@@ -2,10 +2,12 @@
 
 #include "base/Format.h"
 #include "mesh/MeshFile.h"
+#include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "model/ContactReader.h"
 #include "model/ContactReport.h"
 #include "model/ContactSurface.h"
+#include "model/EdgeCrossing.h"
 #include "model/PartReader.h"
 #include "model/PointAlgebra.h"
 #include "model/RigidContact.h"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <set>
 
 namespace fpm {
 
@@ -38,9 +41,22 @@ std::string keyOf(const ContactEntries& entries, const Mesh& mesh)
     return fingerprint(surfaceText(entries) + meshChecksum(mesh));
 }
 
-/// A node on its own target face would always find itself, with gap 0.
-void refuseOwnTargets(const Mesh& mesh, const ContactSurfaces& surfaces, const Dictionary& pair)
+/// A node on its own target face would always find itself, with gap 0; a surface against itself
+/// leaves the surroundings of each node out.
+void refuseOwnTargets(const Mesh& mesh,
+                      const ContactSurfaces& surfaces,
+                      const PairEntry& entry,
+                      const Dictionary& pair)
 {
+    if (surfaces.contactorSides == surfaces.targetSides) {
+        if (entry.search == ContactSearch::closestParticle)
+            pair.fail("search", "a surface in contact with itself needs the search by faces",
+                      "the closest particle of a node would be its own neighbour");
+        if (entry.passes == 2)
+            pair.fail("passes", "a surface in contact with itself has one pass: every node is "
+                                "contactor and target already");
+        return;
+    }
     const std::vector<Index> targetNodes = nodesOf(mesh, surfaces.targetSides);
     std::vector<Index> both;
     std::set_intersection(surfaces.contactorNodes.begin(), surfaces.contactorNodes.end(),
@@ -50,7 +66,149 @@ void refuseOwnTargets(const Mesh& mesh, const ContactSurfaces& surfaces, const D
         "target",
         format("{} nodes are contactor and target at once, first node {} at {}", both.size(),
                both.front(), pointText(mesh.points[std::size_t(both.front())])),
-        "give the two sides of the pair to bodies, or surfaces of a body, that share no nodes");
+        "give the two sides of the pair to bodies, or surfaces of a body, that share no nodes; or "
+        "the same surface to both, for contact with itself");
+}
+
+/// Every contactor lies behind the target: the wrong side of it was chosen.
+void refuseTargetsTurnedAway(const ContactFit& fit, const Dictionary& pair)
+{
+    if (fit.facesPointingAway == 0 || fit.facingNodes > 0 || !fit.overlaps.empty()) return;
+    pair.fail("target",
+              format("all contactor nodes lie behind the target, {} of its faces point away from "
+                     "the nodes nearest to them: it would draw them in",
+                     fit.facesPointingAway),
+              "choose the side that looks at the contactor with a side set or 'facing'");
+}
+
+/// Moves the contactors that overlap to the target's surface; refuses where that would turn an
+/// element inside out.
+void moveToSurface(Mesh& mesh, const ContactFit& fit, const Dictionary& pair, Log& log)
+{
+    double farthest = 0;
+    std::set<Index> moved;
+    for (const ContactFit::Overlap& overlap : fit.overlaps) {
+        Point& point = mesh.points[std::size_t(overlap.node)];
+        farthest = std::max(farthest, length(difference(overlap.surface, point)));
+        point = overlap.surface;
+        moved.insert(overlap.node);
+    }
+    if (moved.empty()) return;
+    for (std::size_t element = 0; element < mesh.hexahedra.size(); ++element) {
+        const Hexahedron& nodes = mesh.hexahedra[element];
+        if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return moved.count(n) > 0; })
+            && !(volume(mesh, Index(element)) > 0))
+            pair.fail(
+                "initialOverlap",
+                format("moving the contactors to the surface turns element {} inside out", element),
+                "the overlap is deeper than the element is thick: move the bodies apart");
+    }
+    log.line(format("    {} nodes moved, by at most {}", moved.size(), farthest));
+}
+
+void reportCrossings(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log)
+{
+    const EdgeCrossings found =
+        edgeCrossings(mesh, mesh.points, surfaces.contactorSides, surfaces.targetSides);
+    if (found.count > 0)
+        log.warning(format("pair {}: {} edges pass through the other surface between their nodes, "
+                           "first at {}: node-to-face contact does not see them",
+                           surfaces.pair, found.count, pointText(found.place)));
+}
+
+/// What needs faces has no meaning against an analytic surface.
+void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
+{
+    const std::string instead =
+        "remove the entry: the target is an analytic surface, without faces";
+    if (entry.passes == 2)
+        place.fail("passes", "the target has no nodes for a second pass", instead);
+    if (entry.initialOverlap != InitialOverlap::report)
+        place.fail("initialOverlap", "only overlaps with faces can be forgiven or moved", instead);
+}
+
+ContactSurfaces setPair(Mesh& mesh,
+                        const ContactEntries& entries,
+                        const PairEntry& entry,
+                        const std::vector<bool>& rigid,
+                        const Dictionary& contactDict,
+                        Log& log)
+{
+    ContactSurfaces surfaces;
+    surfaces.pair = entry.name;
+    surfaces.contactorSides = contactSides(mesh, entries, entry, "contactor", contactDict);
+    surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
+    const Dictionary place = contactDict.sub("pairs").sub(entry.name);
+    if (const Index surface = entries.rigidSurface(entry.target); surface >= 0) {
+        refuseRigidContactor(mesh, surfaces, rigid, place);
+        refuseFaceOptions(entry, place);
+        reportSurfaceContact(mesh, surfaces, entries.rigidSurfaces[std::size_t(surface)], log);
+        return surfaces;
+    }
+    surfaces.targetSides = contactSides(mesh, entries, entry, "target", contactDict);
+    refuseRigidPair(mesh, surfaces, rigid, place);
+    refuseOwnTargets(mesh, surfaces, entry, place);
+    reportSeams(mesh, surfaces, log);
+    if (surfaces.contactorSides == surfaces.targetSides) {
+        log.line(format("pair {}: {} nodes in contact with {} faces of their own surface",
+                        surfaces.pair, surfaces.contactorNodes.size(),
+                        surfaces.targetSides.size()));
+        return surfaces;
+    }
+    const ContactFit fit = measureContact(mesh, surfaces);
+    refuseTargetsTurnedAway(fit, place);
+    reportContact(mesh, surfaces, fit, entry.initialOverlap, log);
+    if (entry.initialOverlap == InitialOverlap::move) moveToSurface(mesh, fit, place, log);
+    reportCrossings(mesh, surfaces, log);
+    return surfaces;
+}
+
+/// A part's skin and the box around it.
+struct Body {
+    std::vector<ElementSide> sides;
+    Point least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300};
+    bool meets(const Body& other) const
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+            if (most[c] < other.least[c] || other.most[c] < least[c]) return false;
+        return true;
+    }
+};
+
+/// All exterior faces of all parts; overlaps are looked for between parts whose boxes meet.
+ContactSurfaces
+setGeneral(const Mesh& mesh, const PairEntry& entry, const std::vector<bool>& rigid, Log& log)
+{
+    ContactSurfaces surfaces;
+    surfaces.pair = entry.name;
+    std::vector<Body> bodies(mesh.parts.size());
+    for (std::size_t part = 0; part < bodies.size(); ++part) {
+        bodies[part].sides = skin(mesh, Index(part));
+        for (const Index node : nodesOf(mesh, bodies[part].sides))
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double x = mesh.points[std::size_t(node)][c];
+                bodies[part].least[c] = std::min(bodies[part].least[c], x);
+                bodies[part].most[c] = std::max(bodies[part].most[c], x);
+            }
+        surfaces.targetSides.insert(surfaces.targetSides.end(), bodies[part].sides.begin(),
+                                    bodies[part].sides.end());
+    }
+    std::sort(surfaces.targetSides.begin(), surfaces.targetSides.end());
+    surfaces.contactorSides = surfaces.targetSides;
+    surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
+    log.line(format("general contact: {} nodes, {} faces of {} parts",
+                    surfaces.contactorNodes.size(), surfaces.targetSides.size(), bodies.size()));
+    reportSeams(mesh, surfaces, log);
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            if (a == b || !bodies[a].meets(bodies[b]) || (rigid[a] && rigid[b])) continue;
+            const ContactSurfaces two{mesh.parts[a].name + " in " + mesh.parts[b].name,
+                                      nodesOf(mesh, bodies[a].sides), bodies[a].sides,
+                                      bodies[b].sides};
+            reportOverlaps(mesh, two.pair, measureContact(mesh, two), entry.initialOverlap, log);
+            if (a < b) reportCrossings(mesh, two, log);
+        }
+    return surfaces;
 }
 
 } // namespace
@@ -63,27 +221,12 @@ void setContact(Mesh& mesh, const Dictionary& contactDict, const Case& theCase, 
         rigid = readRigidParts(theCase.dictionary("constant/partProperties"), mesh);
 
     std::vector<ContactSurfaces> pairs;
-    for (const PairEntry& entry : entries.pairs) {
-        ContactSurfaces surfaces;
-        surfaces.pair = entry.name;
-        surfaces.contactorSides = contactSides(mesh, entries, entry, "contactor", contactDict);
-        const Dictionary place = contactDict.sub("pairs").sub(entry.name);
-        surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
-        if (const Index surface = entries.rigidSurface(entry.target); surface >= 0) {
-            refuseRigidContactor(mesh, surfaces, rigid, place);
-            reportSurfaceContact(mesh, surfaces, entries.rigidSurfaces[std::size_t(surface)], log);
-            pairs.push_back(std::move(surfaces));
-            continue;
-        }
-        surfaces.targetSides = contactSides(mesh, entries, entry, "target", contactDict);
-        refuseRigidPair(mesh, surfaces, rigid, place);
-        refuseOwnTargets(mesh, surfaces, place);
-        reportContact(mesh, surfaces, measureContact(mesh, surfaces), log);
-        pairs.push_back(std::move(surfaces));
-    }
+    for (const PairEntry& entry : entries.pairs)
+        pairs.push_back(setPair(mesh, entries, entry, rigid, contactDict, log));
+    reportSharing(pairs, log);
+    if (entries.general) pairs.push_back(setGeneral(mesh, *entries.general, rigid, log));
     if (pairs.empty())
         log.warning(contactDict.name() + " has no pairs: the bodies pass through each other");
-    reportSharing(pairs, log);
     mesh.contact = std::move(pairs);
     mesh.contactKey = keyOf(entries, mesh);
 }

@@ -84,6 +84,11 @@ struct Part {
 };
 
 enum class ContactSearch { faces, closestParticle };
+/// Two surfaces; one against itself; all bodies against all, themselves included.
+enum class ContactKind { pair, self, general };
+/// What becomes of contactors that lie inside the target before the run: pushed out at the first
+/// step, forgiven for good, forgiven for a while; `move` has moved them already.
+enum class InitialOverlap { report, offset, ramp, move };
 
 /// system/contactDict, one pair; surfaces as in the mesh.
 struct ContactPair : ContactLaw {
@@ -92,6 +97,12 @@ struct ContactPair : ContactLaw {
     std::vector<ElementSide> targetSides; ///< empty where an analytic surface is the target
     Index surface = -1;                   ///< that surface, in Model::rigidSurfaces
     ContactSearch search = ContactSearch::faces;
+    ContactKind kind = ContactKind::pair;
+    int passes = 1; ///< 2: each side is contactor once, with half the stiffness
+    InitialOverlap initialOverlap = InitialOverlap::report;
+    double rampTime = 0; ///< over which `ramp` forgives
+    /// Of general contact: parts that have pairs of their own.
+    std::vector<std::array<Index, 2>> apart;
 };
 
 enum class Precision { double_, mixed, single };

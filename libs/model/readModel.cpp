@@ -11,7 +11,7 @@
 #include "model/PartReader.h"
 #include "model/RigidContact.h"
 
-#include <algorithm>
+#include <set>
 
 namespace fpm {
 
@@ -22,6 +22,44 @@ Dictionary dictionaryOrEmpty(const Case& theCase, const std::string& relative)
 {
     return theCase.hasFile(relative) ? theCase.dictionary(relative)
                                      : Dictionary::parse("", relative);
+}
+
+const ContactSurfaces& surfacesOf(const Mesh& mesh, const std::string& pair)
+{
+    for (const ContactSurfaces& surfaces : mesh.contact)
+        if (surfaces.pair == pair) return surfaces;
+    throw Error(ExitCode::mesh,
+                "constant/mesh.vtkhdf has no contact surfaces for pair '" + pair + "'",
+                "run fpmSetContact");
+}
+
+ContactPair makePair(const PairEntry& entry, const ContactSurfaces& surfaces)
+{
+    ContactPair pair{};
+    static_cast<ContactLaw&>(pair) = entry;
+    pair.name = entry.name;
+    pair.contactorNodes = surfaces.contactorNodes;
+    pair.targetSides = surfaces.targetSides;
+    pair.search = entry.search;
+    pair.kind =
+        surfaces.contactorSides == surfaces.targetSides ? ContactKind::self : ContactKind::pair;
+    pair.passes = entry.passes;
+    pair.initialOverlap = entry.initialOverlap;
+    pair.rampTime = entry.rampTime;
+    return pair;
+}
+
+/// The parts that meet in a pair.
+void addMeetings(std::vector<std::array<Index, 2>>& parts,
+                 const Mesh& mesh,
+                 const ContactSurfaces& surfaces)
+{
+    std::set<Index> contactor, target;
+    for (const ElementSide& side : surfaces.contactorSides)
+        contactor.insert(mesh.partOf(side.element));
+    for (const ElementSide& side : surfaces.targetSides) target.insert(mesh.partOf(side.element));
+    for (const Index a : contactor)
+        for (const Index b : target) parts.push_back({a, b});
 }
 
 /// Surfaces from the mesh file, numbers from contactDict.
@@ -44,26 +82,23 @@ void readContact(const Case& theCase, Model& model, Log& log)
     const ContactEntries entries = readContactEntries(contactDict);
     model.rigidSurfaces = entries.rigidSurfaces;
     for (const PairEntry& entry : entries.pairs) {
-        const auto surfaces =
-            std::find_if(model.mesh.contact.begin(), model.mesh.contact.end(),
-                         [&](const ContactSurfaces& one) { return one.pair == entry.name; });
-        if (surfaces == model.mesh.contact.end())
-            throw Error(ExitCode::mesh,
-                        "constant/mesh.vtkhdf has no contact surfaces for pair '" + entry.name
-                            + "'",
-                        "run fpmSetContact");
+        const ContactSurfaces& surfaces = surfacesOf(model.mesh, entry.name);
         const Dictionary place = contactDict.sub("pairs").sub(entry.name);
-        ContactPair pair{entry,
-                         entry.name,
-                         surfaces->contactorNodes,
-                         surfaces->targetSides,
-                         entries.rigidSurface(entry.target),
-                         entry.search};
-        if (pair.surface >= 0)
-            refuseRigidContactor(model.mesh, *surfaces, rigid, place);
-        else
-            refuseRigidPair(model.mesh, *surfaces, rigid, place);
+        ContactPair pair = makePair(entry, surfaces);
+        pair.surface = entries.rigidSurface(entry.target);
+        if (pair.surface >= 0) {
+            pair.kind = ContactKind::pair;
+            refuseRigidContactor(model.mesh, surfaces, rigid, place);
+        } else
+            refuseRigidPair(model.mesh, surfaces, rigid, place);
         model.contactPairs.push_back(std::move(pair));
+    }
+    if (entries.general) {
+        ContactPair general = makePair(*entries.general, surfacesOf(model.mesh, generalContact));
+        general.kind = ContactKind::general;
+        for (const PairEntry& entry : entries.pairs)
+            addMeetings(general.apart, model.mesh, surfacesOf(model.mesh, entry.name));
+        model.contactPairs.push_back(std::move(general));
     }
 }
 

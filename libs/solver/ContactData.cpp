@@ -1,5 +1,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
+#include "kernels/contact/PairView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "solver/PenaltyData.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace fpm {
 
@@ -37,90 +39,125 @@ void addOwnFaces(PairData& out, const Model& model, const std::vector<ElementSid
     }
 }
 
-/// Face across each edge; -1 where the surface ends, or where more than two faces meet.
-void addNeighbours(PairData& out)
+/// Bodies of faces and contactors, where there are several or some may not meet.
+void addComponents(PairData& out,
+                   const Model& model,
+                   const ContactPair& pair,
+                   const std::vector<ElementSide>& own,
+                   const std::vector<ElementSide>& target)
 {
-    std::map<std::pair<Index, Index>, std::vector<std::size_t>> edges;
-    const auto key = [&](std::size_t face, std::size_t edge) -> std::pair<Index, Index> {
-        const Index a = out.faceNode[4 * face + edge], b = out.faceNode[4 * face + (edge + 1) % 4];
-        return std::minmax(a, b); // copied: minmax itself returns references
-    };
-    const std::size_t faces = out.faceNode.size() / 4;
-    for (std::size_t face = 0; face < faces; ++face)
-        for (std::size_t edge = 0; edge < 4; ++edge) edges[key(face, edge)].push_back(face);
-    out.neighbour.assign(4 * faces, -1);
-    for (std::size_t face = 0; face < faces; ++face)
-        for (std::size_t edge = 0; edge < 4; ++edge) {
-            const auto& both = edges[key(face, edge)];
-            if (both.size() == 2)
-                out.neighbour[4 * face + edge] = Index(both[0] == face ? both[1] : both[0]);
-        }
+    const auto bodyOf = [&](const ElementSide& side) { return model.mesh.partOf(side.element); };
+    for (const ElementSide& side : target) out.faceComponent.push_back(bodyOf(side));
+    const auto [least, most] =
+        std::minmax_element(out.faceComponent.begin(), out.faceComponent.end());
+    if (pair.kind != ContactKind::general
+        && (*least == *most || pair.search == ContactSearch::closestParticle)) {
+        out.faceComponent.clear();
+        return;
+    }
+    std::map<Index, Index> body;
+    for (const ElementSide& side : own)
+        for (const Index node : model.mesh.sideNodes(side)) body[node] = bodyOf(side);
+    for (const Index node : out.contactor) out.contactorComponent.push_back(body[node]);
+    const std::size_t parts = model.parts.size();
+    out.components = Index(parts);
+    out.mayMeet.assign(parts * parts, 1);
+    if (pair.kind == ContactKind::general)
+        for (std::size_t a = 0; a < parts; ++a)
+            for (std::size_t b = 0; b < parts; ++b)
+                if (isRigid(model.parts[a].kind) && isRigid(model.parts[b].kind))
+                    out.mayMeet[a * parts + b] = 0;
+    for (const auto& [a, b] : pair.apart)
+        out.mayMeet[std::size_t(a) * parts + std::size_t(b)] =
+            out.mayMeet[std::size_t(b) * parts + std::size_t(a)] = 0;
+    const std::size_t bodies =
+        std::set<Index>(out.faceComponent.begin(), out.faceComponent.end()).size();
+    const std::vector<Index> nodes = out.contactor;
+    for (std::size_t slot = 1; slot < std::min<std::size_t>(bodies, maxSlots); ++slot)
+        out.contactor.insert(out.contactor.end(), nodes.begin(), nodes.end());
 }
 
-void addTargetNodes(PairData& out)
+/// Faces that are no partner of a contactor of the same body: those of all elements at the nodes of
+/// its own faces, so that neither its surroundings nor the other side of a thin layer capture it.
+void addExclusions(PairData& out, const Model& model, const std::vector<ElementSide>& target)
 {
-    out.target = out.faceNode;
-    std::sort(out.target.begin(), out.target.end());
-    out.target.erase(std::unique(out.target.begin(), out.target.end()), out.target.end());
-    std::map<Index, std::vector<Index>> faces;
-    for (std::size_t i = 0; i < out.faceNode.size(); ++i)
-        faces[out.faceNode[i]].push_back(Index(i / 4));
-    out.targetFaceStart.push_back(0);
-    for (const Index node : out.target) {
-        out.targetFaces.insert(out.targetFaces.end(), faces[node].begin(), faces[node].end());
-        out.targetFaceStart.push_back(Index(out.targetFaces.size()));
+    const Mesh& mesh = model.mesh;
+    std::vector<std::vector<Index>> faces(mesh.hexahedra.size()), elements(mesh.points.size());
+    for (std::size_t face = 0; face < target.size(); ++face)
+        faces[std::size_t(target[face].element)].push_back(Index(face));
+    for (std::size_t element = 0; element < mesh.hexahedra.size(); ++element)
+        for (const Index node : mesh.hexahedra[element])
+            elements[std::size_t(node)].push_back(Index(element));
+    out.excludedStart.push_back(0);
+    for (std::size_t i = 0; i < std::size_t(out.nodeCount); ++i) {
+        std::set<Index> excluded;
+        for (Index k = 4 * out.ownFaceStart[i]; k < 4 * out.ownFaceStart[i + 1]; ++k)
+            for (const Index element : elements[std::size_t(out.ownFaceNode[std::size_t(k)])])
+                excluded.insert(faces[std::size_t(element)].begin(),
+                                faces[std::size_t(element)].end());
+        out.excluded.insert(out.excluded.end(), excluded.begin(), excluded.end());
+        out.excludedStart.push_back(Index(out.excluded.size()));
     }
 }
 
-/// Largest distance between two corners of a target face.
-double faceDiagonal(const PairData& pair, const Mesh& mesh)
+/// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
+PairData makePass(const SolverData& data,
+                  const Model& model,
+                  const ContactPair& pair,
+                  const std::vector<ElementSide>& own,
+                  const std::vector<ElementSide>& target,
+                  double share)
 {
-    double diagonal = 0;
-    for (std::size_t face = 0; face < pair.faceNode.size() / 4; ++face)
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = a + 1; b < 4; ++b) {
-                double square = 0;
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double d = mesh.points[std::size_t(pair.faceNode[4 * face + a])][c]
-                                     - mesh.points[std::size_t(pair.faceNode[4 * face + b])][c];
-                    square += d * d;
-                }
-                diagonal = std::max(diagonal, std::sqrt(square));
-            }
-    return diagonal;
-}
-
-PairData makePair(const SolverData& data, const Model& model, const ContactPair& pair)
-{
-    const std::vector<ElementSide>& own = ownSides(model, pair);
-    if (pair.surface >= 0) return makeSurfacePair(data, model, pair, own);
     PairData out;
-    out.name = pair.name;
     out.search = pair.search;
     out.law = pair;
-    out.contactor = pair.contactorNodes;
+    if (own.empty() || target.empty()) { // deletion has left nothing to touch
+        out.ownFaceStart = out.targetFaceStart = {0};
+        out.cellSize = 1;
+        out.reach = 1e30;
+        return out;
+    }
+    out.contactor = nodesOf(model.mesh, own);
+    out.nodeCount = Index(out.contactor.size());
+    out.forgives = pair.initialOverlap == InitialOverlap::offset
+                   || pair.initialOverlap == InitialOverlap::ramp;
+    out.fadeTime = pair.initialOverlap == InitialOverlap::ramp ? pair.rampTime : 0;
     addOwnFaces(out, model, own);
     double areas = 0;
-    for (const ElementSide& side : pair.targetSides) {
+    for (const ElementSide& side : target) {
         const Quad quad = model.mesh.sideNodes(side);
         out.faceNode.insert(out.faceNode.end(), quad.begin(), quad.end());
         const double a = area(model.mesh, side);
         areas += a;
         out.faceThickness.push_back(volume(model.mesh, side.element) / a);
     }
-    addPenalty(out, data, model, pair, own);
-    out.meanFaceSize = std::sqrt(areas / double(pair.targetSides.size()));
-    addNeighbours(out);
-    addTargetNodes(out);
-
-    const double diagonal = faceDiagonal(out, model.mesh);
-    out.reach = 0.25 * out.meanFaceSize;
-    const double thickest = *std::max_element(out.faceThickness.begin(), out.faceThickness.end());
-    // However a face turns, its box is no larger than its diagonal; it may stretch by half.
-    out.cellSize = out.search == ContactSearch::faces
-                       ? 1.5 * diagonal + 2 * std::max(out.reach, thickest / 2)
-                       : std::max(out.meanFaceSize, diagonal / std::sqrt(3.0) + out.reach);
+    out.meanFaceSize = std::sqrt(areas / double(target.size()));
+    addTopology(out, model.mesh.points);
+    if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
+    addComponents(out, model, pair, own, target);
+    addPenalty(out, data, model, pair, own, target, share);
     return out;
+}
+
+/// The passes of a pair: one, or two with half the stiffness each. A surface against itself has
+/// each of its nodes against the other's faces and so half the stiffness too.
+void addPasses(SolverData& data, const Model& model, std::size_t number)
+{
+    const ContactPair& pair = model.contactPairs[number];
+    const std::vector<ElementSide>& own = ownSides(model, pair);
+    if (pair.surface >= 0) {
+        data.pairs.push_back(makeSurfacePair(data, model, pair, own));
+        data.pairs.back().pair = number;
+        return;
+    }
+    const bool both = pair.passes == 2;
+    const double share = both || pair.kind != ContactKind::pair ? 0.5 : 1.0;
+    data.pairs.push_back(makePass(data, model, pair, own, pair.targetSides, share));
+    data.pairs.back().pair = number;
+    if (!both) return;
+    data.pairs.push_back(makePass(data, model, pair, pair.targetSides, own, share));
+    data.pairs.back().pair = number;
+    data.pairs.back().reversed = true;
 }
 
 double powerOfTwoBelow(double value)
@@ -132,13 +169,14 @@ double powerOfTwoBelow(double value)
 
 void addContact(SolverData& data, const Model& model)
 {
-    for (const RigidSurface& surface : model.rigidSurfaces)
-        data.surfaces.push_back(surfaceShape(surface, data.amplitudeRows));
+    if (data.surfaces.empty()) // once: renewed contact finds them here
+        for (const RigidSurface& surface : model.rigidSurfaces)
+            data.surfaces.push_back(surfaceShape(surface, data.amplitudeRows));
     double largestForce = 0, largestStiffness = 0;
     std::size_t contactors = 0;
-    for (const ContactPair& pair : model.contactPairs) {
-        data.pairs.push_back(makePair(data, model, pair));
-        const PairData& made = data.pairs.back();
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
+        addPasses(data, model, pair);
+    for (const PairData& made : data.pairs) {
         contactors += made.contactor.size();
         const double stiffness = fpm::largestStiffness(made);
         double depth = made.deepest;

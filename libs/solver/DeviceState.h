@@ -1,23 +1,9 @@
 #pragma once
 
-#include "kernels/contact/PairView.h"
-#include "kernels/contact/Search.h"
 #include "kernels/particle/NodePass.h"
-#include "parallel/Array.h"
-#include "solver/SolverData.h"
+#include "solver/ContactState.h"
 
 namespace fpm {
-
-/// Copies values into another number type. Static, as all helpers here: a copy of its own for each
-/// vector width, or the linker might keep one that not every processor can run.
-template <class To, class From>
-static std::vector<To> converted(const std::vector<From>& values)
-{
-    std::vector<To> out;
-    out.reserve(values.size());
-    for (const From& value : values) out.push_back(To(value));
-    return out;
-}
 
 template <class Work>
 static std::vector<MaterialConstants<Work>>
@@ -67,96 +53,6 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
     }
     return out;
 }
-
-/// Three planes of a vector field.
-template <class To>
-static std::vector<To> planes(const std::vector<Point>& points)
-{
-    std::vector<To> out(3 * points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) out[c * points.size() + i] = To(points[i][c]);
-    return out;
-}
-
-/// Arrays of one contact pair in the executor's memory.
-template <class Precision, class Executor>
-struct PairState {
-    using Work = typename Precision::Work;
-    template <class T>
-    using Of = Array<T, Executor>;
-
-    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
-        neighbour;
-    Of<Index> target, targetFaceStart, targetFaces, face, head, next;
-    Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction;
-    Of<Work> contactorStiffness, contactorMass, faceMass;
-    Of<Index> frictionFace;
-    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork;
-    Of<std::int64_t> released;
-    std::uint32_t mask = 0;
-
-    static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
-    /// The stored tangential force is kept in the frame of a face.
-    static bool convectedFriction(const PairData& pair)
-    {
-        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
-    }
-
-    explicit PairState(const PairData& pair)
-        : contactor(pair.contactor),
-          contactorNumber(pair.contactorNumber),
-          ownFaceStart(pair.ownFaceStart),
-          ownFaceNode(pair.ownFaceNode),
-          faceNode(pair.faceNode),
-          faceNumber(pair.faceNumber),
-          neighbour(pair.neighbour),
-          target(pair.target),
-          targetFaceStart(pair.targetFaceStart),
-          targetFaces(pair.targetFaces),
-          face(std::vector<Index>(pair.contactor.size(), noFace)),
-          faceStiffness(converted<Work>(pair.faceStiffness)),
-          faceThickness(converted<Work>(pair.faceThickness)),
-          ownNormal(3 * pair.contactor.size()),
-          xi(pair.contactor.size()),
-          eta(pair.contactor.size()),
-          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
-                                         : 0),
-          contactorStiffness(converted<Work>(pair.contactorStiffness)),
-          contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
-          faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
-          frictionFace(
-              std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
-          force(3 * pair.contactor.size()),
-          spring(pair.contactor.size()),
-          dissipated(pair.contactor.size()),
-          dampingForce(damps(pair) ? pair.contactor.size() : 0),
-          damped(damps(pair) ? pair.contactor.size() : 0),
-          surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
-          released(1)
-    {
-        const bool faces = pair.search == ContactSearch::faces;
-        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
-        std::uint32_t size = 16;
-        while (size < 2 * entries) size *= 2;
-        mask = size - 1;
-        head = Of<Index>(size);
-        next = Of<Index>(entries);
-    }
-
-    std::size_t bytes() const
-    {
-        return (contactor.size() * 2 + ownFaceStart.size() + ownFaceNode.size()
-                + faceNode.size() * 3 + target.size() + targetFaceStart.size() + targetFaces.size()
-                + face.size() + head.size() + next.size() + frictionFace.size())
-                   * sizeof(Index)
-               + (faceStiffness.size() * 2 + ownNormal.size() + xi.size() * 2 + friction.size())
-                     * sizeof(Work)
-               + (contactorStiffness.size() + contactorMass.size() + faceMass.size()) * sizeof(Work)
-               + (force.size() + spring.size() + dissipated.size() + dampingForce.size()
-                  + damped.size() + surfaceWork.size())
-                     * sizeof(double);
-    }
-};
 
 /// Rigid bodies in the executor's memory; empty without.
 template <class Executor>

@@ -103,10 +103,6 @@ bool Erosion::renewContact(SolverData& data, const std::vector<bool>& deleted)
                                        target = renewedSides(original_[i].targetSides, deleted);
         if (contactor == surfaces.contactorSides && target == pair.targetSides) continue;
         changed = true;
-        if (contactor.empty() || target.empty()) { // nothing left to touch
-            pair.contactorNodes.clear();
-            continue;
-        }
         surfaces.contactorSides = contactor;
         pair.contactorNodes = nodesOf(model_.mesh, contactor);
         pair.targetSides = target;
@@ -122,11 +118,15 @@ bool Erosion::renewContact(SolverData& data, const std::vector<bool>& deleted)
 PairRenewal compared(const PairData& before, const PairData& after)
 {
     PairRenewal out;
-    std::map<Index, Index> contactors;
+    using Slot = std::pair<Index, Index>; // a node is a contactor for each body it may touch
+    const auto slotOf = [](const PairData& pair, std::size_t i) {
+        return Slot{pair.contactor[i], Index(i) / pair.nodeCount};
+    };
+    std::map<Slot, Index> contactors;
     for (std::size_t i = 0; i < before.contactor.size(); ++i)
-        contactors[before.contactor[i]] = Index(i);
-    for (const Index node : after.contactor) {
-        const auto found = contactors.find(node);
+        contactors[slotOf(before, i)] = Index(i);
+    for (std::size_t i = 0; i < after.contactor.size(); ++i) {
+        const auto found = contactors.find(slotOf(after, i));
         out.contactor.push_back(found == contactors.end() ? -1 : found->second);
     }
     const auto corners = [](const PairData& pair, std::size_t face) {

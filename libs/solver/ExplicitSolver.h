@@ -42,6 +42,7 @@ public:
     std::size_t deviceBytes() const override { return state_.bytes(); }
     std::string description() const override { return description_; }
     const SolverData& data() const override { return data_; }
+    PairOverlap initialOverlap(std::size_t pair) const override { return overlaps_[pair]; }
 
 private:
     using Work = typename Precision::Work;
@@ -56,7 +57,7 @@ private:
     void elementPass(std::size_t group);
     void contactPasses();
     void searchContact();
-    void searchPair(std::size_t pair);
+    void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
     void moveBodies();
@@ -65,7 +66,6 @@ private:
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
-    PairLaw<Work> pairLaw(std::size_t pair);
     SurfaceForce<Precision> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();
     /// Blocks of contact nodes; the bounds of the bodies follow theirs.
@@ -82,13 +82,14 @@ private:
     std::string description_;
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
+    std::vector<PairOverlap> overlaps_; ///< of each pair of the model
     StepRules rules_;
     bool ledger_, searches_ = false, searchesEveryStep_ = false;
     double startEnergy_ = 0;
     std::size_t elementScratch_;
-    std::unique_ptr<Erosion> erosion_;         ///< null unless deletions change contact surfaces
-    std::int64_t deletions_ = 0;               ///< those the contact surfaces know
-    double lostSpring_ = 0, lostFriction_ = 0; ///< energies of contactors that are none any more
+    std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
+    std::int64_t deletions_ = 0;       ///< those the contact surfaces know
+    Energies lost_;                    ///< booked for contactors that are none any more
 };
 
 template <class Precision, class Executor>
@@ -103,6 +104,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
       executor_(std::move(executor)),
       description_(std::move(description)),
       state_(data_, model.mesh.points),
+      overlaps_(model.contactPairs.size()),
       elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
 {
     ledger_ =
@@ -130,7 +132,10 @@ void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& bod
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::start()
 {
-    if (searches_) searchContact();
+    if (searches_) {
+        searchContact();
+        measureOverlaps();
+    }
     computeForces();
     const Energies first = energies();
     startEnergy_ = first.total - first.external;

@@ -7,65 +7,14 @@ namespace fpm {
 template <class Precision, class Executor>
 PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t number)
 {
-    PairState<Precision, Executor>& s = state_.pairs[number];
-    const PairData& pair = data_.pairs[number];
-    return {.contactorCount = Index(s.contactor.size()),
-            .faceCount = Index(s.faceThickness.size()),
-            .targetCount = Index(s.target.size()),
-            .contactor = s.contactor.data(),
-            .contactorNumber = s.contactorNumber.data(),
-            .ownFaceStart = s.ownFaceStart.data(),
-            .ownFaceNode = s.ownFaceNode.data(),
-            .faceNode = s.faceNode.data(),
-            .faceNumber = s.faceNumber.data(),
-            .neighbour = s.neighbour.data(),
-            .faceStiffness = s.faceStiffness.data(),
-            .faceThickness = s.faceThickness.data(),
-            .faceMass = s.faceMass.data(),
-            .target = s.target.data(),
-            .targetFaceStart = s.targetFaceStart.data(),
-            .targetFaces = s.targetFaces.data(),
-            .ownNormal = s.ownNormal.data(),
-            .face = s.face.data(),
-            .xi = s.xi.data(),
-            .eta = s.eta.data(),
-            .force = s.force.data(),
-            .released = s.released.data(),
-            .position = state_.position.data(),
-            .velocity = state_.velocity.data(),
-            .nodeStride = std::size_t(data_.nodeCount),
-            .sum = state_.contactSum.data(),
-            .scale = data_.contactScale,
-            .clock = state_.clock.data(),
-            .reach = Work(pair.reach),
-            .law = pairLaw(number)};
-}
-
-template <class Precision, class Executor>
-PairLaw<typename Precision::Work> ExplicitSolver<Precision, Executor>::pairLaw(std::size_t number)
-{
-    PairState<Precision, Executor>& s = state_.pairs[number];
-    const ContactLaw& law = data_.pairs[number].law;
-    const double slow = law.friction, fast = law.dynamicFriction;
-    return {.count = Index(s.contactor.size()),
-            .source = law.penalty == PenaltyRule::series   ? PenaltySource::series
-                      : law.penalty == PenaltyRule::target ? PenaltySource::target
-                                                           : PenaltySource::lesser,
-            .contactorStiffness = s.contactorStiffness.data(),
-            .friction = {.staticCoefficient = Work(slow),
-                         .dynamicCoefficient = Work(fast < 0 ? slow : fast),
-                         .decay = law.frictionDecay,
-                         .stiffnessRatio = Work(law.tangentialScale / law.normalScale),
-                         .paper = law.paperFriction},
-            .stored = s.friction.data(),
-            .storedFace = s.frictionFace.data(),
-            .spring = s.spring.data(),
-            .dissipated = s.dissipated.data(),
-            .dampingRatio = Work(law.normalDamping),
-            .contactorMass = s.contactorMass.data(),
-            .dampingForce = s.dampingForce.data(),
-            .damped = s.damped.data(),
-            .limitFactor = Work(dampingLimit(law))};
+    PairView<Precision> view = state_.pairs[number].view(data_.pairs[number]);
+    view.position = state_.position.data();
+    view.velocity = state_.velocity.data();
+    view.nodeStride = std::size_t(data_.nodeCount);
+    view.sum = state_.contactSum.data();
+    view.scale = data_.contactScale;
+    view.clock = state_.clock.data();
+    return view;
 }
 
 template <class Precision, class Executor>
@@ -88,7 +37,7 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
             .reach = pair.reach,
             .deepest = pair.deepest,
             .shape = data_.surfaces[std::size_t(pair.surface)],
-            .law = pairLaw(number)};
+            .law = s.law(pair)};
 }
 
 template <class Precision, class Executor>
@@ -96,12 +45,14 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
 {
     executor_.parallelFor(Index(state_.contactSum.size()),
                           ClearContactSum{state_.contactSum.data(), state_.clock.data()});
-    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair) {
-        const Index contactors = Index(state_.pairs[pair].contactor.size());
-        if (data_.pairs[pair].surface >= 0)
-            executor_.parallelFor(contactors, surfaceForce(pair));
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        const Index contactors = Index(state_.pairs[pass].contactor.size());
+        if (data_.pairs[pass].surface >= 0)
+            executor_.parallelFor(contactors, surfaceForce(pass));
         else
-            executor_.parallelFor(contactors, ContactForce<Precision>{pairView(pair)});
+            executor_.parallelFor(
+                contactors, ContactForce<Precision>{pairView(pass),
+                                                    state_.pairs[pass].cells(data_.pairs[pass])});
     }
     using Limit = ContactLimit<typename Precision::Motion>;
     const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),
@@ -150,8 +101,10 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchContact()
 {
     ++times_.searches;
-    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair)
-        if (data_.pairs[pair].surface < 0) searchPair(pair);
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass)
+        if (data_.pairs[pass].surface < 0)
+            searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
+                       data_.pairs[pass].search == ContactSearch::faces);
     executor_.parallelFor(
         Index(state_.contactNodes.size()),
         RememberPositions<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
@@ -159,22 +112,31 @@ void ExplicitSolver<Precision, Executor>::searchContact()
                                      state_.searchPosition.data()});
 }
 
+/// Notes what lies inside before the run; it makes full force in passes that do not forgive it.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchPair(std::size_t number)
+void ExplicitSolver<Precision, Executor>::measureOverlaps()
 {
-    PairState<Precision, Executor>& pair = state_.pairs[number];
-    const PairView<Precision> view = pairView(number);
-    const CellLists cells{pair.head.data(), pair.next.data(), pair.mask,
-                          data_.pairs[number].cellSize};
-    const Index contactors = Index(pair.contactor.size());
-    executor_.parallelFor(Index(pair.head.size()), Fill<Index>{pair.head.data(), Index(-1)});
-    executor_.parallelFor(contactors, ContactorNormal<Precision>{view});
-    if (data_.pairs[number].search == ContactSearch::faces) {
-        executor_.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
-        executor_.parallelFor(contactors, FindFace<Precision>{view, cells});
-    } else {
-        executor_.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
-        executor_.parallelFor(contactors, FindClosestParticle<Precision>{view, cells});
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        if (data_.pairs[pass].surface >= 0) continue; // its setup has told
+        PairState<Precision, Executor>& pair = state_.pairs[pass];
+        const Index count = Index(pair.contactor.size());
+        executor_.parallelFor(count, MeasureOverlap<Precision>{pairView(pass),
+                                                               pair.cells(data_.pairs[pass]),
+                                                               pair.overlap.data()});
+        executor_.synchronize();
+        const std::vector<Work> depths = pair.overlap.toHost();
+        if (!data_.pairs[pass].forgives)
+            executor_.parallelFor(count, Fill<Work>{pair.overlap.data(), Work(0)});
+        executor_.parallelFor(pairCounts, Fill<std::int64_t>{pair.counts.data(), 0});
+        PairOverlap& found = overlaps_[data_.pairs[pass].pair];
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            // A millionth of a face's width is touching, not overlapping.
+            if (!(double(depths[i]) > 1e-6 * data_.pairs[pass].meanFaceSize)) continue;
+            ++found.count;
+            if (double(depths[i]) <= found.deepest) continue;
+            found.deepest = double(depths[i]);
+            found.node = data_.pairs[pass].contactor[i];
+        }
     }
 }
 

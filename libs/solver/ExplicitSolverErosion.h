@@ -20,47 +20,78 @@ void ExplicitSolver<Precision, Executor>::renewContact()
     searchContact();
 }
 
+/// Takes values over: those of old contactor from[i], -1 for none, in planes.
+template <class T, class Executor>
+static void carry(const Array<T, Executor>& old,
+                  Array<T, Executor>& renewed,
+                  const std::vector<Index>& from,
+                  std::size_t oldCount)
+{
+    if (oldCount == 0 || old.size() == 0 || from.empty()) return;
+    const std::vector<T> before = old.toHost();
+    std::vector<T> after = renewed.toHost();
+    for (std::size_t plane = 0; plane < before.size() / oldCount; ++plane)
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (from[i] >= 0)
+                after[plane * from.size() + i] = before[plane * oldCount + std::size_t(from[i])];
+    renewed.fromHost(after);
+}
+
+/// What `old` held in the contactors that `from` does not take over.
+template <class Executor>
+static double
+leftBehind(const Array<double, Executor>& old, const std::vector<Index>& from, std::size_t oldCount)
+{
+    const std::vector<double> values = old.toHost();
+    double sum = 0;
+    for (std::size_t k = 0; k < std::min(oldCount, values.size()); ++k) sum += values[k];
+    for (const Index k : from)
+        if (k >= 0 && !values.empty()) sum -= values[std::size_t(k)];
+    return sum;
+}
+
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const PairRenewal& from)
 {
     PairState<Precision, Executor>& old = state_.pairs[number];
+    PairState<Precision, Executor> renewed(data_.pairs[number]);
+    const bool faces = data_.pairs[number].surface < 0;
+    const std::size_t oldCount = old.contactor.size(), count = from.contactor.size();
+    const auto newFace = [&](Index face) {
+        return face >= 0 ? from.face[std::size_t(face)] : face;
+    };
+
     const std::vector<Index> oldFace = old.face.toHost();
-    const std::vector<Work> oldXi = old.xi.toHost(), oldEta = old.eta.toHost(),
-                            oldFriction = old.friction.toHost();
-    const std::vector<double> oldForce = old.force.toHost(), oldSpring = old.spring.toHost(),
-                              oldDissipated = old.dissipated.toHost();
-    const std::size_t oldCount = oldFace.size(), count = from.contactor.size();
-    std::vector<Index> face(count, noFace);
-    std::vector<Work> xi(count), eta(count), friction(oldFriction.empty() ? 0 : 3 * count);
-    std::vector<double> force(3 * count), spring(count), dissipated(count);
-    for (const double energy : oldSpring) lostSpring_ += energy;
-    for (const double energy : oldDissipated) lostFriction_ += energy;
+    std::vector<Index> face(count, noFace), touching = from.contactor;
     for (std::size_t i = 0; i < count; ++i) {
         if (from.contactor[i] < 0) continue;
-        const std::size_t k = std::size_t(from.contactor[i]);
-        dissipated[i] = oldDissipated[k];
-        lostFriction_ -= dissipated[i];
-        const Index tracked = oldFace[k];
-        face[i] = tracked >= 0 ? from.face[std::size_t(tracked)] : tracked;
-        if (face[i] < 0) continue; // its face is gone, and with it force and friction
-        xi[i] = oldXi[k];
-        eta[i] = oldEta[k];
-        spring[i] = oldSpring[k];
-        lostSpring_ -= spring[i];
-        for (std::size_t c = 0; c < 3; ++c) force[c * count + i] = oldForce[c * oldCount + k];
-        if (!friction.empty())
-            for (std::size_t c = 0; c < 3; ++c)
-                friction[c * count + i] = oldFriction[c * oldCount + k];
+        face[i] = newFace(oldFace[std::size_t(from.contactor[i])]);
+        if (faces && face[i] < 0) touching[i] = -1; // its face is gone, and force and friction
     }
-    PairState<Precision, Executor> renewed(data_.pairs[number]);
     renewed.face.fromHost(face);
-    renewed.xi.fromHost(xi);
-    renewed.eta.fromHost(eta);
-    renewed.friction.fromHost(friction);
-    renewed.force.fromHost(force);
-    renewed.spring.fromHost(spring);
-    renewed.dissipated.fromHost(dissipated);
-    renewed.released.fromHost(old.released.toHost());
+    carry(old.xi, renewed.xi, touching, oldCount);
+    carry(old.eta, renewed.eta, touching, oldCount);
+    carry(old.overlap, renewed.overlap, touching, oldCount);
+    carry(old.force, renewed.force, touching, oldCount);
+    carry(old.spring, renewed.spring, touching, oldCount);
+    carry(old.friction, renewed.friction, touching, oldCount);
+    carry(old.dampingForce, renewed.dampingForce, touching, oldCount);
+    carry(old.frictionFace, renewed.frictionFace, touching, oldCount);
+    if (renewed.frictionFace.size() > 0) {
+        std::vector<Index> frames = renewed.frictionFace.toHost();
+        for (Index& frame : frames) frame = newFace(frame);
+        renewed.frictionFace.fromHost(frames);
+    }
+    carry(old.dissipated, renewed.dissipated, from.contactor, oldCount);
+    carry(old.damped, renewed.damped, from.contactor, oldCount);
+    carry(old.surfaceWork, renewed.surfaceWork, from.contactor, oldCount);
+    carry(old.injected, renewed.injected, from.contactor, oldCount);
+    renewed.counts.fromHost(old.counts.toHost());
+    lost_.contact += leftBehind(old.spring, touching, oldCount);
+    lost_.friction += leftBehind(old.dissipated, from.contactor, oldCount);
+    lost_.contactDamping += leftBehind(old.damped, from.contactor, oldCount);
+    lost_.external += leftBehind(old.surfaceWork, from.contactor, oldCount)
+                      + leftBehind(old.injected, from.contactor, oldCount);
     old = std::move(renewed);
 }
 

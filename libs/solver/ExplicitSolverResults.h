@@ -49,13 +49,18 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.hourglass += patches[i + 2];
         out.bulkViscosity += patches[i + 3];
     }
-    out.contact = lostSpring_;
-    out.friction = lostFriction_;
+    out.contact = lost_.contact;
+    out.friction = lost_.friction;
+    out.contactDamping = lost_.contactDamping;
+    out.external = lost_.external;
+    double faded = 0; // what the end of forgiven overlaps put into springs
     for (const auto& pair : state_.pairs) {
         for (const double energy : pair.spring.toHost()) out.contact += energy;
         for (const double energy : pair.dissipated.toHost()) out.friction += energy;
         for (const double energy : pair.damped.toHost()) out.contactDamping += energy;
         for (const double work : pair.surfaceWork.toHost()) out.external += work;
+        const std::vector<double> injected = pair.injected.toHost();
+        for (std::size_t i = 0; i < injected.size() / 2; ++i) faded += injected[i];
     }
     if (ledger_) {
         const auto sums = works();
@@ -63,6 +68,7 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.external += sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
                         + sums[driveAfter] + closing;
     }
+    out.external += faded;
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
                 + out.friction + out.contactDamping + out.damping;
     // A body that friction has brought to rest is judged by the energy it came with.
@@ -87,19 +93,31 @@ template <class Precision, class Executor>
 PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
 {
     executor_.synchronize();
-    const auto& pair = state_.pairs[number];
-    const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
     PairForce out;
-    const std::size_t count = spring.size();
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < count; ++i) out.force[c] += force[c * count + i];
-    for (const double energy : spring) {
-        out.active += energy > 0;
-        out.spring += energy;
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        if (data_.pairs[pass].pair != number) continue;
+        const auto& pair = state_.pairs[pass];
+        const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
+        const std::size_t count = spring.size();
+        const double sign = data_.pairs[pass].reversed ? -1 : 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (std::size_t i = 0; i < count; ++i) sum += force[c * count + i];
+            out.force[c] += sign * sum;
+        }
+        for (const double energy : spring) {
+            out.active += energy > 0;
+            out.spring += energy;
+        }
+        for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+        for (const double energy : pair.damped.toHost()) out.damping += energy;
+        const std::vector<std::int64_t> counts = pair.counts.toHost();
+        out.released += counts[countReleased];
+        out.overEdge += counts[countOverEdge];
+        out.inside += counts[countInside];
+        out.mistaken += counts[countMistaken];
+        out.crowded += counts[countCrowded];
     }
-    for (const double energy : pair.dissipated.toHost()) out.friction += energy;
-    for (const double energy : pair.damped.toHost()) out.damping += energy;
-    out.released = pair.released.toHost()[0];
     return out;
 }
 

@@ -73,27 +73,29 @@ void addPenalty(PairData& out,
                 const SolverData& data,
                 const Model& model,
                 const ContactPair& pair,
-                const std::vector<ElementSide>& own)
+                const std::vector<ElementSide>& own,
+                const std::vector<ElementSide>& target,
+                double share)
 {
+    const double scale = share * pair.normalScale;
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
         out.faceMass.push_back(faceMass(data, out, face));
     if (pair.penalty == PenaltyRule::mass) {
-        const double step = firstElementStep(data, model),
-                     perMass = pair.normalScale / (step * step);
+        const double step = firstElementStep(data, model), perMass = scale / (step * step);
         for (const double mass : out.contactorMass)
             out.contactorStiffness.push_back(perMass * mass);
         for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
         return;
     }
-    for (const ElementSide& side : pair.targetSides)
-        out.faceStiffness.push_back(pair.normalScale * penalty(model, side));
+    for (const ElementSide& side : target)
+        out.faceStiffness.push_back(scale * penalty(model, side));
     const bool rigidFaces =
         out.faceStiffness.empty()
         || *std::min_element(out.faceStiffness.begin(), out.faceStiffness.end()) <= 0;
     if (pair.penalty == PenaltyRule::target && !rigidFaces) return;
     for (const double stiffness : ownStiffness(model, out.contactor, own))
-        out.contactorStiffness.push_back(pair.normalScale * stiffness);
+        out.contactorStiffness.push_back(scale * stiffness);
 }
 
 double largestStiffness(const PairData& pair)
@@ -142,11 +144,11 @@ PairData makeSurfacePair(const SolverData& data,
                          const std::vector<ElementSide>& own)
 {
     PairData out;
-    out.name = pair.name;
     out.law = pair;
     out.surface = pair.surface;
     out.contactor = pair.contactorNodes;
-    addPenalty(out, data, model, pair, own);
+    out.nodeCount = Index(out.contactor.size());
+    addPenalty(out, data, model, pair, own, {}, 1);
     double areas = 0;
     for (const ElementSide& side : own) areas += area(model.mesh, side);
     out.meanFaceSize = std::sqrt(areas / double(own.size()));

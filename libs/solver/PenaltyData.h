@@ -10,7 +10,9 @@ void addPenalty(PairData& out,
                 const SolverData& data,
                 const Model& model,
                 const ContactPair& pair,
-                const std::vector<ElementSide>& own);
+                const std::vector<ElementSide>& own,
+                const std::vector<ElementSide>& target,
+                double share);
 
 /// Largest stiffness a spring of the pair can have.
 double largestStiffness(const PairData& pair);

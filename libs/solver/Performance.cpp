@@ -33,17 +33,29 @@ double stepOf(const Solver& solver, const Model& model, const NodeValues& nodes,
 }
 
 /// Names of the pairs a contact node belongs to.
-std::string pairsOf(const SolverData& data, Index node)
+std::string pairsOf(const SolverData& data, const Model& model, Index node)
 {
     std::string names;
-    for (const PairData& pair : data.pairs) {
-        const auto among = [&](const std::vector<Index>& nodes) {
-            return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-        };
-        if (among(pair.contactor) || among(pair.target))
-            names += (names.empty() ? "" : ", ") + pair.name;
+    for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
+        const bool here =
+            std::any_of(data.pairs.begin(), data.pairs.end(), [&](const PairData& pass) {
+                const auto among = [&](const std::vector<Index>& nodes) {
+                    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+                };
+                return pass.pair == number && (among(pass.contactor) || among(pass.target));
+            });
+        if (here) names += (names.empty() ? "" : ", ") + model.contactPairs[number].name;
     }
     return names;
+}
+
+/// Largest stiffness of the springs of a pair.
+double largestStiffnessOf(const SolverData& data, std::size_t pair)
+{
+    double most = 0;
+    for (const PairData& pass : data.pairs)
+        if (pass.pair == pair) most = std::max(most, largestStiffness(pass));
+    return most;
 }
 
 } // namespace
@@ -99,7 +111,7 @@ std::string stepLimit(Solver& solver, const Model& model)
     if (limit.node < 0) return worstElement(solver, model);
     const Point at = solver.nodeValues({limit.node}).at(0, 0);
     return format("contact pair {}: node {} at ({} {} {}), omega {}",
-                  pairsOf(solver.data(), limit.node), limit.node, at[0], at[1], at[2],
+                  pairsOf(solver.data(), model, limit.node), limit.node, at[0], at[1], at[2],
                   limit.frequency);
 }
 
@@ -110,14 +122,10 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
         const PairForce now = solver.pairForce(number);
         std::string line =
             format("pair {}: {} in touch, springs up to {}, held {}", pair.name, now.active,
-                   largestStiffness(solver.data().pairs[number]), now.spring);
+                   largestStiffnessOf(solver.data(), number), now.spring);
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
         if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
         log.line(line);
-        if (now.released > 0)
-            log.warning(format("{} contactor nodes of pair {} went deeper than the target is "
-                               "thick and were let go",
-                               now.released, pair.name));
     }
 }
 

@@ -32,10 +32,15 @@ struct NodalWorks {
     double internal = 0, contact = 0, external = 0, drives = 0, damping = 0;
 };
 
+/// All passes of a pair together; of a surface in contact with itself, and of general contact, the
+/// forces on all nodes as contactors.
 struct PairForce {
-    Point force{0, 0, 0};             ///< on the contactor
-    Index active = 0;                 ///< contactors in touch
-    std::int64_t released = 0;        ///< let go since the start because they went too deep
+    Point force{0, 0, 0}; ///< on the contactor
+    Index active = 0;     ///< contactors in touch, of both sides where both are
+    /// Since the start: contactors let go because they went too deep, and that left over a free
+    /// edge; searches that found a contactor inside, another face nearer than the one followed, and
+    /// more bodies in reach of a node than it can touch.
+    std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0;
     double spring = 0;                ///< recoverable energy of its springs
     double friction = 0, damping = 0; ///< dissipated since the start
 };
@@ -44,6 +49,13 @@ struct PairForce {
 struct NodeLimit {
     Index node = -1;
     double frequency = 0; ///< omega_c
+};
+
+/// Contactors of a pair that lie inside the target before the run.
+struct PairOverlap {
+    Index count = 0;
+    double deepest = 0;
+    Index node = -1; ///< the deepest
 };
 
 /// A rigid body at one time, in global axes.
@@ -98,6 +110,7 @@ public:
     virtual PairForce pairForce(std::size_t pair) = 0;
     virtual BodyMotionValues bodyMotion(std::size_t body) = 0; ///< as SolverData::body
     virtual NodeLimit contactLimit() = 0;
+    virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

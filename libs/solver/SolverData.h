@@ -18,9 +18,10 @@ struct KernelGroup {
     std::vector<Index> patches;
 };
 
-/// One contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
+/// One pass of a contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
 struct PairData {
-    std::string name;
+    std::size_t pair = 0;  ///< number in the model
+    bool reversed = false; ///< second pass: the target's nodes are the contactors
     ContactSearch search = ContactSearch::faces;
     ContactLaw law;
     Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
@@ -28,12 +29,20 @@ struct PairData {
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
+    Index levels = 1;      ///< of cells, each twice as wide as the one before
+    Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
+    bool forgives = false; ///< initial overlap makes no force
+    double fadeTime = 0;   ///< > 0: for a time only
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
-    std::vector<Index> faceNode, faceNumber, neighbour;
+    std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
     std::vector<double> faceStiffness, faceThickness, faceMass;
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
     std::vector<Index> target, targetFaceStart, targetFaces;
+    std::vector<Index> excludedStart, excluded;           ///< empty: none
+    std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
+    std::vector<std::uint8_t> mayMeet;
+    Index components = 1;
 };
 
 /// Where the state of one element lies: first value of it and of its plastic strains; further
@@ -129,6 +138,9 @@ Condition makeCondition(ConditionKind kind,
                         std::vector<double>& amplitudeRows);
 /// A boundary condition as the kernels have it.
 Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& amplitudeRows);
+/// Completes a pass from its faces, their thickness and contactors: neighbours, faces around nodes,
+/// reach and cells.
+void addTopology(PairData& pair, const std::vector<Point>& points);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.

@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "io/AtomicFile.h"
+#include "solver/ContactWatch.h"
 #include "solver/Histories.h"
 #include "solver/Performance.h"
 #include "solver/resultFrame.h"
@@ -99,6 +100,7 @@ private:
         reportMassScaling(solver_, run_.log);
         energies_ = solver_.energies();
         histories_.sample(solver_, energies_);
+        reportOverlaps(solver_, model_, run_.log);
         writeFrame();
         while (!done()) {
             const double nextFrame = frameTime(frames_);
@@ -212,6 +214,7 @@ private:
         fpm::writeFrame(run_.theCase.root(), name, resultFrame(solver_, model_),
                         model_.mesh.points.size(), model_.mesh.hexahedra.size());
         run_.log.line(format("Time = {}", name));
+        watchEdges(solver_, model_, edgesCross_, run_.log);
         lastFrame_ = clock_.time;
         ++frames_;
     }
@@ -236,6 +239,7 @@ private:
         reportEnergies();
         reportRest();
         reportPairs(solver_, model_, run_.log);
+        reportContact(solver_, model_, run_.log);
         reportErosion();
         if (clock_.steps > 0)
             run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
@@ -309,6 +313,7 @@ private:
     Energies energies_;
     std::int64_t frames_ = 0, samples_ = 1;
     double nextLine_ = 1, lastFrame_ = 0, largestShare_ = 0;
+    std::vector<bool> edgesCross_; ///< pairs already warned of
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/Overlap.h"
 
 namespace fpm {
 
@@ -11,6 +11,7 @@ template <class Precision>
 struct ContactForce {
     using Work = typename Precision::Work;
     PairView<Precision> pair;
+    CellLists cells;
 
     FPM_KERNEL void operator()(Index i) const
     {
@@ -20,27 +21,30 @@ struct ContactForce {
             if (before == noFace) open(i, Work(1));
             return;
         }
-        Work xi = pair.xi[i], eta = pair.eta[i];
-        const Origin origin{before, xi, eta};
-        bool beyond = false;
-        const Index face = track(i, before, xi, eta, beyond);
-        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        const Origin origin{before, pair.xi[i], pair.eta[i]};
+        Tracked<Work> now = FaceTracker<Precision>{pair, cells}.follow(i);
+        const Index face = now.face;
         pair.face[i] = face;
-        pair.xi[i] = clampedUnit(xi);
-        pair.eta[i] = clampedUnit(eta);
-        const Projection<Work> at = gapAt(corners, clampedUnit(xi), clampedUnit(eta));
+        pair.xi[i] = now.xi;
+        pair.eta[i] = now.eta;
+        Projection<Work>& at = now.at;
         const Work stiffness = pair.law.stiffness(i, pair.faceStiffness[face]);
         const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
-        if (beyond || !(at.gap < pair.reach)) {
+        if (now.beyond || !(at.gap < pair.reach)) {
+            if (now.beyond && at.gap < 0) {
+                if (pair.law.spring[i] > 0) atomicAdd64(pair.counts + countOverEdge, 1);
+                pair.face[i] = releasedFace;
+            }
             open(i, stiffness, way);
             return;
         }
         if (-at.gap > pair.faceThickness[face]) {
             pair.face[i] = releasedFace;
-            atomicAdd64(pair.released, 1);
+            atomicAdd64(pair.counts + countReleased, 1);
             open(i, stiffness, way);
             return;
         }
+        at.gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
         if (at.gap < 0) {
             const Work pressed =
@@ -48,7 +52,7 @@ struct ContactForce {
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if (pair.law.friction.acts())
-                force += tangential(i, face, origin, corners, at, stiffness, pressed, held);
+                force += tangential(i, face, origin, at, stiffness, pressed, held);
             pair.law.spring[i] = pair.law.energy(stiffness, at.gap, held);
         } else
             open(i, stiffness, way);
@@ -56,34 +60,6 @@ struct ContactForce {
     }
 
 private:
-    /// Follows the contactor from face to face across shared edges, at most four of them. `beyond`:
-    /// it left the surface over a free edge.
-    FPM_KERNEL Index track(Index i, Index face, Work& xi, Work& eta, bool& beyond) const
-    {
-        // Wider than rounding, far below what a gap or force can notice.
-        const Work inside = Work(1) + (sizeof(Work) == 8 ? Work(1e-8) : Work(1e-4));
-        const Work freeEdge = Work(1.05);
-        Index previous = noFace;
-        for (int hop = 0; hop <= 4; ++hop) {
-            const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
-            project(corners, xi, eta);
-            const Work a = xi < 0 ? -xi : xi, b = eta < 0 ? -eta : eta;
-            if (a <= inside && b <= inside) return face;
-            const int edge = a > b ? (xi > 0 ? 1 : 3) : (eta > 0 ? 2 : 0);
-            const Index next = pair.neighbour[4 * std::size_t(face) + edge];
-            if (next < 0) {
-                beyond = a > freeEdge || b > freeEdge;
-                return face;
-            }
-            if (next == previous || hop == 4)
-                return face; // on the ridge between two faces: clamped
-            previous = face;
-            face = next;
-            xi = eta = 0;
-        }
-        return face;
-    }
-
     /// Where the contactor was at the last step: face and place on it.
     struct Origin {
         Index face;
@@ -123,7 +99,6 @@ private:
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      Index face,
                                      const Origin& origin,
-                                     const FaceCorners<Work>& corners,
                                      const Projection<Work>& at,
                                      Work stiffness,
                                      Work pressed,
@@ -135,6 +110,7 @@ private:
             const Vec3<Work> slip = inPlane(relativeWay(i, face, at), at.normal);
             return held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         }
+        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
         const FaceFrame<Work> frame(corners);
         if (law.storedFace[i] != face) {
             if (dot(held, held) > 0) {

@@ -48,7 +48,8 @@ FPM_KERNEL void evaluateFace(const FaceCorners<Work>& face,
 
 /// One Newton step towards r . t1 = r . t2 = 0 (method of closest-point projection onto a bilinear
 /// quadrilateral; curvature terms dropped where they make the matrix indefinite). Returns the size
-/// of the step in natural coordinates; steps are limited to 1.
+/// of the step in natural coordinates, steps limited to 1; -1: no step, the face is degenerate
+/// here.
 template <class Work>
 FPM_KERNEL Work projectionStep(const FaceCorners<Work>& face, Work& xi, Work& eta)
 {
@@ -62,7 +63,7 @@ FPM_KERNEL Work projectionStep(const FaceCorners<Work>& face, Work& xi, Work& et
     if (!(determinant > Work(1e-3) * a * c)) {
         b = plain;
         determinant = a * c - b * b;
-        if (!(determinant > Work(1e-12) * a * c)) return Work(0); // degenerate: stay
+        if (!(determinant > Work(1e-12) * a * c)) return Work(-1);
     }
     const Work f = dot(r, t1), g = dot(r, t2);
     Work dXi = (f * c - g * b) / determinant, dEta = (g * a - f * b) / determinant;
@@ -73,19 +74,40 @@ FPM_KERNEL Work projectionStep(const FaceCorners<Work>& face, Work& xi, Work& et
     return (dXi < 0 ? -dXi : dXi) + (dEta < 0 ? -dEta : dEta);
 }
 
-/// Projection from a start value; (xi, eta) may end outside [-1, 1].
+/// Projection from a start value; (xi, eta) may end outside [-1, 1]. False where it did not
+/// converge.
 template <class Work>
-FPM_KERNEL void project(const FaceCorners<Work>& face, Work& xi, Work& eta)
+FPM_KERNEL bool project(const FaceCorners<Work>& face, Work& xi, Work& eta)
 {
-    const Work enough = sizeof(Work) == 8 ? Work(1e-10) : Work(1e-5);
-    for (int iteration = 0; iteration < 10; ++iteration)
-        if (projectionStep(face, xi, eta) < enough) return;
+    // The step after this one would be of the order of its square: rounding.
+    const Work enough = sizeof(Work) == 8 ? Work(1e-7) : Work(1e-4);
+    for (int iteration = 0; iteration < 10; ++iteration) {
+        const Work step = projectionStep(face, xi, eta);
+        if (step < 0) return false;
+        if (step < enough) return true;
+    }
+    return false;
 }
 
 template <class Work>
 FPM_KERNEL Work clampedUnit(Work value)
 {
     return value > 1 ? Work(1) : (value < -1 ? Work(-1) : value);
+}
+
+/// Unit normal from the tangents at a point; that of the diagonals where the tangents are parallel,
+/// as on the collapsed side of a wedge.
+template <class Work>
+FPM_KERNEL Vec3<Work>
+faceNormal(const FaceCorners<Work>& face, const Vec3<Work>& t1, const Vec3<Work>& t2)
+{
+    Vec3<Work> n = cross(t1, t2);
+    Work square = dot(n, n);
+    if (!(square > Work(1e-8) * dot(t1, t1) * dot(t2, t2))) {
+        n = cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]);
+        square = dot(n, n);
+    }
+    return (square > 0 ? Work(1) / squareRoot(square) : Work(0)) * n;
 }
 
 /// Gap and normal at (xi, eta).
@@ -97,9 +119,7 @@ FPM_KERNEL Projection<Work> gapAt(const FaceCorners<Work>& face, Work xi, Work e
     out.eta = eta;
     Vec3<Work> t1, t2;
     evaluateFace(face, xi, eta, out.offset, t1, t2);
-    const Vec3<Work> n = cross(t1, t2);
-    const Work length = squareRoot(dot(n, n));
-    out.normal = (length > 0 ? Work(1) / length : Work(0)) * n;
+    out.normal = faceNormal(face, t1, t2);
     out.gap = dot(out.offset, out.normal);
     return out;
 }

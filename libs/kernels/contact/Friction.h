@@ -19,8 +19,7 @@ struct FrictionLaw {
         if (!(staticCoefficient > dynamicCoefficient)) return staticCoefficient;
         const double speed = step > 0 ? double(slip) / step : 0;
         return dynamicCoefficient
-               + (staticCoefficient - dynamicCoefficient)
-                     * Work(exponential(-decay * speed));
+               + (staticCoefficient - dynamicCoefficient) * Work(exponential(-decay * speed));
     }
 };
 

@@ -9,11 +9,36 @@
 namespace fpm {
 
 /// What `face` of a contactor may say beyond a face number.
-inline constexpr Index noFace = -1;       ///< no target within reach
-inline constexpr Index releasedFace = -2; ///< went deeper than the target is thick: let go, counted
+inline constexpr Index noFace = -1; ///< no target within reach
+/// Let go, counted: it went deeper than the target is thick, or left it sideways while inside.
+inline constexpr Index releasedFace = -2;
+
+/// What `neighbour` of a face's edge may say beyond 4 * face + edge: the surface ends here; the
+/// edge has no length.
+inline constexpr Index freeEdge = -1;
+inline constexpr Index noEdge = -2;
+
+/// Counts of a pair: what happened to contactors that a user ought to know.
+enum PairCount {
+    countReleased, ///< let go: deeper than the target is thick
+    countOverEdge, ///< left the target over a free edge while in touch
+    countInside,   ///< found by a search inside the target, their depth forgiven
+    countMistaken, ///< found by a search to have followed a face that was not the nearest
+    countCrowded,  ///< searches that found more bodies in reach of a contactor than it has slots
+    pairCounts
+};
+
+/// What is in reach of a contactor. Flat: faces that differ by a degree at most, the one above
+/// which it lies is the nearest. Curved: a neighbour may be nearer. Intricate: faces that turn by
+/// more than 60 degrees, or across a gap, so that hops might not find the nearest.
+enum Around : std::uint8_t { aroundFlat, aroundCurved, aroundIntricate };
+
+/// Bodies (parts) that one contactor may touch at once.
+inline constexpr int maxSlots = 3;
 
 /// One contact pair on the device: contactor nodes against quadrilateral target faces. Arrays over
-/// contactors and faces; vectors in three planes `contactorCount` apart.
+/// contactors and faces; vectors in three planes `contactorCount` apart. Where a node may touch
+/// several bodies at once it is several contactors.
 template <class Precision>
 struct PairView {
     using Position = typename Precision::Position;
@@ -21,25 +46,40 @@ struct PairView {
     using Work = typename Precision::Work;
 
     Index contactorCount, faceCount, targetCount;
+    Index nodeCount; ///< contactors without repetition: contactor i has the node of i % nodeCount
     const Index* contactor;       ///< node
     const Index* contactorNumber; ///< its number among all contact nodes
-    const Index* ownFaceStart;    ///< faces of the contactor's own surface around it: CSR over
+    const Index*
+        ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
     const Index* ownFaceNode;     ///< ... [4 * entry + corner], node
     const Index* faceNode;        ///< [4 * face + corner]
     const Index* faceNumber;      ///< [4 * face + corner], number among all contact nodes
-    const Index* neighbour;       ///< [4 * face + edge], edge i joins corners i and i + 1; -1: free
+    const Index* faceTarget;      ///< [4 * face + corner], number among the target nodes
+    const Index* neighbour;       ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
+                                  ///< corners i and i + 1
     const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
     const Work* faceThickness;    ///< V / A
     const Work* faceMass;         ///< of its lightest free corner, for contact damping
     const Index* target;          ///< target nodes
     const Index* targetFaceStart; ///< faces around a target node: CSR
     const Index* targetFaces;
+    const Index* excludedStart; ///< faces that are no partner of a node, ascending: CSR over
+                                ///< [nodeCount]; null: none
+    const Index* excluded;
+    const Index* faceComponent;      ///< body of a face; null: one body
+    const Index* contactorComponent; ///< body of a node, [nodeCount]
+    const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all may
+    Index components;
 
     Work* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
     Index* face;
     Work *xi, *eta;
-    double* force;          ///< on the contactor, this step
-    std::int64_t* released; ///< count of contactors let go
+    std::uint8_t* around; ///< what the last search found around it, as Around
+    double* force;        ///< on the contactor, this step
+    std::int64_t* counts; ///< as PairCount
+    Work* overlap;        ///< depth at which it was found, that makes no force
+    double* injected;     ///< work of overlaps that fade with time; null: they do not
+    double fadeTime;      ///< > 0: over which they do
 
     const Position* position;
     const Motion* velocity;
@@ -70,16 +110,38 @@ struct PairView {
         return {Work(velocity[a]), Work(velocity[nodeStride + a]),
                 Work(velocity[2 * nodeStride + a])};
     }
-    /// Distance from a face at which a contactor may still be its own: within reach of it, or
-    /// inside the target up to half its thickness.
+    /// Distance from a face at which a search finds it: within reach, or inside the target up to
+    /// half its thickness, also after half a reach of the face's own way.
     FPM_KERNEL Work margin(Index number) const
     {
-        const Work half = Work(0.5) * faceThickness[number];
-        return half > reach ? half : reach;
+        const Work deep = Work(0.5) * (faceThickness[number] + reach);
+        return deep > reach ? deep : reach;
+    }
+    FPM_KERNEL Index componentOf(Index number) const
+    {
+        return faceComponent ? faceComponent[number] : 0;
+    }
+    /// False for faces of the contactor's own surroundings, and of bodies it has no business with.
+    FPM_KERNEL bool mayTouch(Index i, Index number) const
+    {
+        const Index base = i % nodeCount;
+        if (mayMeet && !mayMeet[contactorComponent[base] * components + faceComponent[number]])
+            return false;
+        if (!excludedStart) return true;
+        Index low = excludedStart[base], high = excludedStart[base + 1];
+        while (low < high) {
+            const Index middle = low + (high - low) / 2;
+            if (excluded[middle] < number)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return low == excludedStart[base + 1] || excluded[low] != number;
     }
     FPM_KERNEL Vec3<Work> ownNormalOf(Index i) const
     {
-        return {ownNormal[i], ownNormal[contactorCount + i], ownNormal[2 * contactorCount + i]};
+        const Index base = i % nodeCount;
+        return {ownNormal[base], ownNormal[nodeCount + base], ownNormal[2 * nodeCount + base]};
     }
 };
 

@@ -1,35 +1,11 @@
 #pragma once
 
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/FaceChoice.h"
 
 namespace fpm {
 
-/// Cubic cells kept in a hash table of linked lists (head, next), so that a stray node far away
-/// costs nothing. Entries that share a hash by chance only lengthen a list.
-struct CellLists {
-    Index* head; ///< [mask + 1], -1: empty
-    Index* next; ///< [entries]
-    std::uint32_t mask;
-    double cellSize;
-
-    FPM_KERNEL static std::int64_t cellOf(double coordinate, double size)
-    {
-        const double cell = ::floor(coordinate / size);
-        return cell > -1e15 && cell < 1e15 ? std::int64_t(cell) : 0; // NaN goes to cell 0
-    }
-    FPM_KERNEL Index* list(std::int64_t x, std::int64_t y, std::int64_t z) const
-    {
-        const std::uint32_t key = std::uint32_t(x) * 73856093u ^ std::uint32_t(y) * 19349663u
-                                  ^ std::uint32_t(z) * 83492791u;
-        return head + ((key ^ (key >> 15)) & mask);
-    }
-    FPM_KERNEL void insert(Index entry, std::int64_t x, std::int64_t y, std::int64_t z) const
-    {
-        next[entry] = atomicExchangeIndex(list(x, y, z), entry);
-    }
-};
-
 /// Mean unit normal of the contactor's own faces: faces that look the same way are no partners.
+/// Zero where they look all ways, as at the edge of a knife.
 template <class Precision>
 struct ContactorNormal {
     PairView<Precision> pair;
@@ -38,6 +14,7 @@ struct ContactorNormal {
     {
         using Work = typename Precision::Work;
         Vec3<Work> sum{0, 0, 0};
+        Work count = 0;
         for (Index k = pair.ownFaceStart[i]; k < pair.ownFaceStart[i + 1]; ++k) {
             const Index* nodes = pair.ownFaceNode + 4 * std::size_t(k);
             const Vec3<Work> d1 = pair.relative(nodes[2], nodes[0]),
@@ -45,143 +22,137 @@ struct ContactorNormal {
             const Vec3<Work> n = cross(d1, d2);
             const Work length = squareRoot(dot(n, n));
             if (length > 0) sum += (Work(1) / length) * n;
+            count += 1;
         }
         const Work length = squareRoot(dot(sum, sum));
-        const Work scale = length > 0 ? Work(1) / length : Work(0);
+        const Work scale = length > Work(0.2) * count ? Work(1) / length : Work(0);
         pair.ownNormal[i] = scale * sum.x;
-        pair.ownNormal[pair.contactorCount + i] = scale * sum.y;
-        pair.ownNormal[2 * pair.contactorCount + i] = scale * sum.z;
+        pair.ownNormal[pair.nodeCount + i] = scale * sum.y;
+        pair.ownNormal[2 * pair.nodeCount + i] = scale * sum.z;
     }
 };
 
-/// Enters a target face into every cell its box, inflated by its margin, touches: at most 8, since
-/// a cell is at least as large as the largest inflated box (`search faces`).
+/// What a search found, entered into the slots of one node.
 template <class Precision>
-struct InsertFace {
-    PairView<Precision> pair;
-    CellLists cells;
-
-    FPM_KERNEL void operator()(Index face) const
-    {
-        std::int64_t low[3], high[3];
-        const double margin = double(pair.margin(face));
-        for (int c = 0; c < 3; ++c) {
-            double least = 1e300, most = -1e300;
-            for (int k = 0; k < 4; ++k) {
-                const std::size_t node = std::size_t(pair.faceNode[4 * std::size_t(face) + k]);
-                const double x = double(pair.position[c * pair.nodeStride + node]);
-                least = x < least ? x : least;
-                most = x > most ? x : most;
-            }
-            low[c] = CellLists::cellOf(least - margin, cells.cellSize);
-            high[c] = CellLists::cellOf(most + margin, cells.cellSize);
-            if (high[c] > low[c] + 1) high[c] = low[c] + 1;
-        }
-        Index entry = 8 * face;
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-            for (std::int64_t y = low[1]; y <= high[1]; ++y)
-                for (std::int64_t x = low[0]; x <= high[0]; ++x) cells.insert(entry++, x, y, z);
-    }
-};
-
-/// Nearest face by true distance to the (clamped) closest point; equal distances: lower number.
-template <class Precision>
-struct FaceChoice {
+struct SlotChoice {
     using Work = typename Precision::Work;
-    Index face = noFace;
-    Work distanceSquare = 0, xi = 0, eta = 0;
+    const PairView<Precision>& pair;
+    Index node; ///< number among the pair's nodes
 
-    FPM_KERNEL void consider(const PairView<Precision>& pair, Index i, Index candidate)
+    FPM_KERNEL void enter(NearestFaces<Work>& found, Around around) const
     {
-        const FaceCorners<Work> corners = pair.corners(candidate, pair.contactor[i]);
-        Work xiHere = 0, etaHere = 0;
-        project(corners, xiHere, etaHere);
-        xiHere = clampedUnit(xiHere);
-        etaHere = clampedUnit(etaHere);
-        const Projection<Work> at = gapAt(corners, xiHere, etaHere);
-        // Surfaces in contact look at each other.
-        if (!(dot(at.normal, pair.ownNormalOf(i)) < Work(-0.01))) return;
-        const Work square = dot(at.offset, at.offset);
-        const Work depth = Work(0.5) * pair.faceThickness[candidate];
-        const bool within = square <= pair.reach * pair.reach || (at.gap < 0 && -at.gap <= depth);
-        if (!within) return;
-        if (face >= 0
-            && !(square < distanceSquare || (square == distanceSquare && candidate < face)))
-            return;
-        face = candidate;
-        distanceSquare = square;
-        xi = xiHere;
-        eta = etaHere;
-    }
-    /// A contactor in touch keeps its face where the search finds nothing better.
-    FPM_KERNEL void keep(const PairView<Precision>& pair, Index i) const
-    {
-        const bool touching = pair.face[i] >= 0 && pair.law.spring[i] > 0;
-        if (face < 0 && touching) return;
-        if (face >= 0 && face == pair.face[i]) return; // tracked already, warm start kept
-        pair.face[i] = face;
-        pair.xi[i] = xi;
-        pair.eta[i] = eta;
-    }
-};
-
-/// `search faces`: the contactor tests every face entered into its own cell.
-template <class Precision>
-struct FindFace {
-    PairView<Precision> pair;
-    CellLists cells;
-
-    FPM_KERNEL void operator()(Index i) const
-    {
-        const std::size_t node = std::size_t(pair.contactor[i]);
-        std::int64_t cell[3];
-        for (int c = 0; c < 3; ++c)
-            cell[c] = CellLists::cellOf(double(pair.position[c * pair.nodeStride + node]),
-                                        cells.cellSize);
-        FaceChoice<Precision> choice;
-        for (Index entry = *cells.list(cell[0], cell[1], cell[2]); entry >= 0;
-             entry = cells.next[entry]) {
-            const Index face = entry / 8;
-            if (nearBox(face, pair.contactor[i])) choice.consider(pair, i, face);
+        if (found.crowded) atomicAdd64(pair.counts + countCrowded, 1);
+        const int slots = int(pair.contactorCount / pair.nodeCount);
+        bool placed[maxSlots] = {};
+        for (int slot = 0; slot < slots; ++slot) { // a body keeps its slot, with its history
+            const Index i = node + slot * pair.nodeCount, face = pair.face[i];
+            if (face < 0) continue;
+            int match = 0;
+            while (match < found.count && found.component[match] != pair.componentOf(face)) ++match;
+            const bool touching = pair.law.spring[i] > 0;
+            if (match < found.count) {
+                update(i, found.best[match], touching);
+                placed[match] = true;
+            } else if (!touching) // in touch it keeps its face where nothing better is found
+                pair.face[i] = noFace;
         }
-        choice.keep(pair, i);
+        for (int match = 0; match < found.count; ++match)
+            for (int slot = 0; slot < slots && !placed[match]; ++slot) {
+                const Index i = node + slot * pair.nodeCount;
+                if (pair.face[i] >= 0) continue;
+                update(i, found.best[match], false);
+                forgive(i, found.best[match].gap);
+                placed[match] = true;
+            }
+        for (int slot = 0; slot < slots; ++slot) pair.around[node + slot * pair.nodeCount] = around;
     }
 
 private:
-    /// The face's box, inflated by reach (or half its thickness), holds the contactor.
-    FPM_KERNEL bool nearBox(Index face, Index origin) const
+    /// Whoever comes from outside is found outside. What is first seen inside came in sideways or
+    /// was let go: to push it out would create the energy of the spring, so its depth is forgiven.
+    FPM_KERNEL void forgive(Index i, Work gap) const
     {
-        using Work = typename Precision::Work;
-        const FaceCorners<Work> f = pair.corners(face, origin);
-        const Work margin = pair.margin(face);
-        const Vec3<Work>* x = f.corner;
-        return outside(x[0].x, x[1].x, x[2].x, x[3].x, margin) == 0
-               && outside(x[0].y, x[1].y, x[2].y, x[3].y, margin) == 0
-               && outside(x[0].z, x[1].z, x[2].z, x[3].z, margin) == 0;
+        pair.overlap[i] = gap < 0 ? -gap : Work(0);
+        if (gap < 0) atomicAdd64(pair.counts + countInside, 1);
     }
-    template <class Work>
-    FPM_KERNEL static int outside(Work a, Work b, Work c, Work d, Work margin)
+    FPM_KERNEL void update(Index i, const Candidate<Work>& found, bool touching) const
     {
-        const bool above = a > margin && b > margin && c > margin && d > margin;
-        const bool below = a < -margin && b < -margin && c < -margin && d < -margin;
-        return above || below;
+        if (found.face == pair.face[i]) return; // tracked already, warm start kept
+        if (touching) {
+            const FacePoint<Work> now = closestPoint(pair.corners(pair.face[i], pair.contactor[i]),
+                                                     pair.xi[i], pair.eta[i]);
+            // As far away, such as on the edge between the two: no reason to change.
+            if (!(found.point.square < Work(0.9998) * now.square)) return;
+            atomicAdd64(pair.counts + countMistaken, 1);
+        }
+        pair.face[i] = found.face;
+        pair.xi[i] = found.point.xi;
+        pair.eta[i] = found.point.eta;
     }
 };
 
-/// Enters a target node into its cell (`search closestParticle`, the paper's connected list).
+/// `search faces`: the node tries every face entered into its own cells.
 template <class Precision>
-struct InsertTarget {
+struct FindFace {
+    using Work = typename Precision::Work;
     PairView<Precision> pair;
     CellLists cells;
 
-    FPM_KERNEL void operator()(Index i) const
+    FPM_KERNEL void operator()(Index node) const
     {
-        const std::size_t node = std::size_t(pair.target[i]);
-        std::int64_t cell[3];
-        for (int c = 0; c < 3; ++c)
-            cell[c] = CellLists::cellOf(double(pair.position[c * pair.nodeStride + node]),
-                                        cells.cellSize);
-        cells.insert(i, cell[0], cell[1], cell[2]);
+        NearestFaces<Work> found;
+        const int slots = int(pair.contactorCount / pair.nodeCount);
+        Index partner[mostPartners];
+        int partners = 0;
+        for (Index level = 0; level <= cells.levels; ++level)
+            for (Index entry = cells.first(pair, pair.contactor[node], level); entry >= 0;
+                 entry = cells.next[entry]) {
+                Candidate<Work> candidate;
+                if (!isPartner(pair, node, entry / 8, candidate)) continue;
+                found.add(candidate, pair.componentOf(entry / 8), slots);
+                if (partners < mostPartners) partner[partners] = entry / 8;
+                ++partners;
+            }
+        SlotChoice<Precision>{pair, node}.enter(found, around(node, found, partner, partners));
+    }
+
+private:
+    static constexpr int mostPartners = 12;
+
+    FPM_KERNEL Around around(Index node,
+                             const NearestFaces<Work>& found,
+                             const Index (&partner)[mostPartners],
+                             int partners) const
+    {
+        if (partners > mostPartners) return aroundIntricate; // too many to tell
+        Around result = aroundFlat;
+        for (int p = 0; partners > 1 && p < partners; ++p)
+            for (int k = 0; k < found.count; ++k) {
+                const Index best = found.best[k].face;
+                if (found.component[k] != pair.componentOf(partner[p]) || best == partner[p])
+                    continue;
+                const Work cosine = dot(normalOf(node, best), normalOf(node, partner[p]));
+                if (!(cosine > Work(0.5)) || apart(best, partner[p])) return aroundIntricate;
+                if (cosine < Work(0.9998)) result = aroundCurved;
+            }
+        return result;
+    }
+    FPM_KERNEL Vec3<Work> normalOf(Index node, Index face) const
+    {
+        return gapAt(pair.corners(face, pair.contactor[node]), Work(0), Work(0)).normal;
+    }
+    /// No common node, and a free edge at one of them.
+    FPM_KERNEL bool apart(Index a, Index b) const
+    {
+        const std::size_t first = 4 * std::size_t(a), second = 4 * std::size_t(b);
+        bool free = false;
+        for (int k = 0; k < 4; ++k) {
+            for (int l = 0; l < 4; ++l)
+                if (pair.faceNode[first + k] == pair.faceNode[second + l]) return false;
+            free = free || pair.neighbour[first + k] == freeEdge
+                   || pair.neighbour[second + k] == freeEdge;
+        }
+        return free;
     }
 };
 
@@ -189,12 +160,26 @@ struct InsertTarget {
 /// distances: lower number), then the faces around that particle.
 template <class Precision>
 struct FindClosestParticle {
+    using Work = typename Precision::Work;
     PairView<Precision> pair;
     CellLists cells;
 
     FPM_KERNEL void operator()(Index i) const
     {
-        using Work = typename Precision::Work;
+        const Index closest = closestTarget(i);
+        NearestFaces<Work> found;
+        if (closest >= 0)
+            for (Index k = pair.targetFaceStart[closest]; k < pair.targetFaceStart[closest + 1];
+                 ++k) {
+                Candidate<Work> candidate;
+                if (isPartner(pair, i, pair.targetFaces[k], candidate)) found.add(candidate, 0, 1);
+            }
+        SlotChoice<Precision>{pair, i}.enter(found, aroundCurved);
+    }
+
+private:
+    FPM_KERNEL Index closestTarget(Index i) const
+    {
         const Index node = pair.contactor[i];
         std::int64_t cell[3];
         for (int c = 0; c < 3; ++c)
@@ -214,12 +199,7 @@ struct FindClosestParticle {
                 }
             }
         }
-        FaceChoice<Precision> choice;
-        if (closest >= 0)
-            for (Index k = pair.targetFaceStart[closest]; k < pair.targetFaceStart[closest + 1];
-                 ++k)
-                choice.consider(pair, i, pair.targetFaces[k]);
-        choice.keep(pair, i);
+        return closest;
     }
 };
 

@@ -36,6 +36,16 @@ TEST(Dictionary, ReadsNumbersWithinTheirRange)
     EXPECT_THROW(dict.number("a", nonNegative()), InputError);
 }
 
+TEST(Dictionary, TellsAKeyThatStandsAlone)
+{
+    const auto dict = Dictionary::parse("bare; valued 1; sub { a 1; }");
+
+    EXPECT_TRUE(dict.isBare("bare"));
+    EXPECT_FALSE(dict.isBare("valued"));
+    EXPECT_FALSE(dict.isBare("sub"));
+    EXPECT_FALSE(dict.isBare("absent"));
+}
+
 TEST(Dictionary, ReadsIntegers)
 {
     const auto dict = Dictionary::parse("a 12; b 1e3;");

@@ -28,16 +28,6 @@ V rotated(const V& v, const V& axis, double angle)
            + ((1 - std::cos(angle)) * dot(a, v)) * a;
 }
 
-TEST(Exponential, AgreesWithTheLibrary)
-{
-    double worst = 0;
-    for (double x = 0; x < 60; x += 0.0137)
-        worst = std::max(worst, std::abs(decayingExponential(x) - std::exp(-x)));
-    EXPECT_LT(worst, 3e-14);
-    EXPECT_EQ(decayingExponential(0), 1);
-    EXPECT_EQ(decayingExponential(1e9), 0);
-}
-
 TEST(Friction, FallsFromStaticToDynamicWithTheSpeedOfTheSlip)
 {
     const FrictionLaw<double> slow{0.4, 0.3, 2.0, 0.1, false};

@@ -68,7 +68,7 @@ TEST(ContactSetup, MeasuresTheGapOfTheNodesThatFaceTheTarget)
     EXPECT_EQ(fit.facingNodes, 16u);
     EXPECT_NEAR(fit.smallestGap, 0.25, 1e-12);
     EXPECT_NEAR(fit.meanGap, 0.25, 1e-12);
-    EXPECT_EQ(fit.overlaps, 0u);
+    EXPECT_TRUE(fit.overlaps.empty());
     EXPECT_EQ(fit.facesPointingAway, 0u);
 }
 
@@ -76,7 +76,7 @@ TEST(ContactSetup, TakesTouchingBodiesForTouching)
 {
     for (const double gap : {0.0, 1e-12, -1e-12}) {
         const ContactFit fit = fitOf(blocks(gap));
-        EXPECT_EQ(fit.overlaps, 0u);
+        EXPECT_TRUE(fit.overlaps.empty());
         EXPECT_EQ(fit.smallestGap, 0.0);
     }
 }
@@ -97,20 +97,22 @@ TEST(ContactSetup, CountsOverlapsAndTheirDepth)
     shop.run(onePair);
 
     const ContactFit fit = fitOf(shop.mesh);
-    EXPECT_EQ(fit.overlaps, 16u);
-    EXPECT_NEAR(fit.deepest, 0.125, 1e-12);
+    ASSERT_EQ(fit.overlaps.size(), 16u);
+    for (const ContactFit::Overlap& overlap : fit.overlaps)
+        EXPECT_NEAR(overlap.depth, 0.125, 1e-12);
     EXPECT_TRUE(
         contains(shop.folder.logText(),
                  "warning: pair press: 16 contactor nodes lie inside the target, deepest 0.125"));
 }
 
-TEST(ContactSetup, CountsTargetFacesThatPointAway)
+TEST(ContactSetup, RefusesATargetThatIsTurnedAway)
 {
+    // F10: with its normals away from the contactors, a target would draw them in.
     Workshop shop(blocks(0.25));
 
-    shop.run("pairs { press { contactor upper; target lower.zMin; } }");
-
-    EXPECT_TRUE(contains(shop.folder.logText(), "target faces point away"));
+    EXPECT_TRUE(contains(
+        refusal([&] { shop.run("pairs { press { contactor upper.zMin; target lower.zMin; } }"); }),
+        "all contactor nodes lie behind the target, 9 of its faces point away"));
 }
 
 TEST(ContactSetup, KnowsWhenItsSurfacesAreOutOfDate)
@@ -154,6 +156,112 @@ TEST(ContactSetup, RefusesANodeThatIsItsOwnTarget)
         refusal([&] { shop.run("pairs { own { contactor upper; target upper.zMin; } }"); }),
         "16 nodes are contactor and target at once"));
     EXPECT_TRUE(shop.mesh.contact.empty());
+}
+
+TEST(ContactSetup, TakesASurfaceAgainstItself)
+{
+    Workshop shop(blocks(0.1));
+
+    shop.run("pairs { own { contactor upper; target upper; } }");
+
+    EXPECT_EQ(shop.mesh.contact[0].contactorSides, shop.mesh.contact[0].targetSides);
+    EXPECT_TRUE(contains(refusal([&] {
+                             shop.run("pairs { own { contactor upper; target upper; "
+                                      "search closestParticle; } }");
+                         }),
+                         "needs the search by faces"));
+    EXPECT_TRUE(contains(
+        refusal([&] { shop.run("pairs { own { contactor upper; target upper; passes two; } }"); }),
+        "has one pass"));
+}
+
+TEST(ContactSetup, GeneralContactIsAllFacesOfAllParts)
+{
+    Workshop shop(blocks(-0.125));
+
+    shop.run("general;");
+
+    ASSERT_EQ(shop.mesh.contact.size(), 1u);
+    EXPECT_EQ(shop.mesh.contact[0].pair, "general");
+    EXPECT_EQ(shop.mesh.contact[0].targetSides.size(),
+              skin(shop.mesh, 0).size() + skin(shop.mesh, 1).size());
+    EXPECT_TRUE(
+        contains(shop.folder.logText(), "pair upper in lower: 16 contactor nodes lie inside"));
+    EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
+
+    shop.run("general { friction 0.2; } pairs { press { contactor upper; target lower; } }");
+    EXPECT_EQ(shop.mesh.contact.size(), 2u);
+}
+
+TEST(ContactSetup, RefusesWrongGeneralContact)
+{
+    Workshop shop(blocks(0.1));
+
+    EXPECT_TRUE(
+        contains(refusal([&] { shop.run("general yes;"); }), "general contact has no value"));
+    EXPECT_TRUE(contains(refusal([&] { shop.run("general { initialOverlap move; }"); }),
+                         "nothing says which body should move"));
+    EXPECT_TRUE(
+        contains(refusal([&] { shop.run("pairs { general { contactor upper; target lower; } }"); }),
+                 "'general' is the name of contact of all bodies with all"));
+    EXPECT_TRUE(contains(refusal([&] { shop.run("general { passes two; }"); }), "unknown keyword"));
+}
+
+TEST(ContactSetup, MovesOverlapsToTheSurfaceOnRequest)
+{
+    // F11, option move: the nodes lie on the target then, and nothing is left to report.
+    Workshop shop(blocks(-0.125));
+
+    shop.run("pairs { press { contactor upper; target lower; initialOverlap move; } }");
+
+    EXPECT_TRUE(contains(shop.folder.logText(), "16 nodes moved, by at most 0.125"));
+    EXPECT_TRUE(fitOf(shop.mesh).overlaps.empty());
+    EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
+    EXPECT_TRUE(contains(refusal([&] {
+                             Workshop deep(blocks(-0.45));
+                             for (Point& p : deep.mesh.points)
+                                 if (p[2] > 1.5) p[2] -= 0.7; // the upper block 0.3 thick
+                             deep.run("pairs { press { contactor upper.zMin; target lower; "
+                                      "initialOverlap move; } }");
+                         }),
+                         "inside out"));
+}
+
+TEST(ContactSetup, RefusesARampWithoutATime)
+{
+    Workshop shop(blocks(0.1));
+
+    EXPECT_TRUE(contains(refusal([&] {
+                             shop.run("pairs { press { contactor upper; target lower; "
+                                      "initialOverlap ramp; } }");
+                         }),
+                         "rampTime"));
+    EXPECT_TRUE(contains(refusal([&] {
+                             shop.run("pairs { press { contactor upper; target lower; "
+                                      "initialOverlap push; } }");
+                         }),
+                         "report"));
+    EXPECT_TRUE(contains(refusal([&] {
+                             shop.run("pairs { press { contactor upper; target lower; "
+                                      "passes three; } }");
+                         }),
+                         "two"));
+}
+
+TEST(ContactSetup, WarnsOfSeamsInTheTarget)
+{
+    // F23: two halves of one part that touch without sharing their nodes.
+    Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {2, 4, 1}, {2, 4, 1}},
+                               {"half", {2, 0, 0}, {2, 4, 1}, {2, 4, 1}},
+                               {"upper", {1, 1, 1.1}, {2, 2, 1}, {3, 3, 1}}});
+    mesh.sideSets["top"] = mesh.sideSets["lower.zMax"];
+    for (const ElementSide& side : mesh.sideSets["half.zMax"]) mesh.sideSets["top"].push_back(side);
+    Workshop shop(mesh);
+
+    shop.run("pairs { press { contactor upper; target top; } }");
+
+    EXPECT_TRUE(contains(shop.folder.logText(),
+                         "pair press: 10 target nodes lie on one another without being one"));
 }
 
 TEST(ContactSetup, WarnsOfPairsThatActTwice)

@@ -1,4 +1,4 @@
-#include "unit/solver/scenes.h"
+#include "unit/solver/kindScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +83,40 @@ TEST_P(EqualBits, PausesOfTheHostDoNotChangeTheState)
         solver->nodeValues({});
     }
     EXPECT_EQ(solver->stateChecksum(), checksumOf(model, "serial", 1, "auto"));
+}
+
+/// Two passes; all bodies against all; a part that folds on itself.
+std::vector<Model> otherKinds(Precision precision)
+{
+    Model twice = impact(precision), all = impact(precision), fold = closingFold();
+    twice.contactPairs[0].passes = 2;
+    all.mesh.contact.clear();
+    all.contactPairs.clear();
+    addGeneral(all).friction = 0.3;
+    const std::vector<ElementSide> sides = skin(fold.mesh, 0);
+    addContact(fold, "own", sides, sides).kind = ContactKind::self;
+    fold.control.precision = precision;
+    return {twice, all, fold};
+}
+
+TEST_P(EqualBits, HoldForTheOtherKindsOfContact)
+{
+    for (const Model& model : otherKinds(GetParam())) {
+        const int steps = 160; // the fold touches after 120
+        const auto solver = startedSolver(model);
+        Index touched = 0;
+        for (int call = 0; call < steps / 10; ++call) {
+            solver->advance(1, 10);
+            touched = std::max(touched, solver->pairForce(0).active);
+        }
+        EXPECT_GT(touched, 0);
+        const std::uint64_t scalar = checksumOf(model, "serial", 1, "scalar", steps);
+        EXPECT_EQ(checksumOf(model, "serial", 1, "avx2", steps), scalar);
+        if (hasAvx512()) {
+            EXPECT_EQ(checksumOf(model, "serial", 1, "avx512", steps), scalar);
+        }
+        EXPECT_EQ(checksumOf(model, "openmp", 2, "auto", steps), scalar);
+    }
 }
 
 std::string precisionName(const testing::TestParamInfo<Precision>& info)

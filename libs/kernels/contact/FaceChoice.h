@@ -1,0 +1,89 @@
+#pragma once
+
+#include "kernels/contact/CellLists.h"
+#include "kernels/contact/SignedGap.h"
+
+namespace fpm {
+
+/// A face a contactor may be in touch with, and where.
+template <class Work>
+struct Candidate {
+    Index face;
+    FacePoint<Work> point;
+    Work gap;
+};
+
+/// All four values more than `margin` to one side of 0.
+template <class Work>
+FPM_KERNEL bool outsideRange(Work a, Work b, Work c, Work d, Work margin)
+{
+    return (a > margin && b > margin && c > margin && d > margin)
+           || (a < -margin && b < -margin && c < -margin && d < -margin);
+}
+
+/// Tries one face as partner of contactor i: true where it may touch it, looks at it, is not left
+/// over a free edge, and lies within reach, or inside by no more than half its thickness.
+template <class Precision>
+FPM_KERNEL bool isPartner(const PairView<Precision>& pair,
+                          Index i,
+                          Index face,
+                          Candidate<typename Precision::Work>& out)
+{
+    using Work = typename Precision::Work;
+    const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+    const Work margin = pair.margin(face);
+    const Vec3<Work>* x = corners.corner;
+    if (outsideRange(x[0].x, x[1].x, x[2].x, x[3].x, margin)
+        || outsideRange(x[0].y, x[1].y, x[2].y, x[3].y, margin)
+        || outsideRange(x[0].z, x[1].z, x[2].z, x[3].z, margin) || !pair.mayTouch(i, face))
+        return false;
+    const FacePoint<Work> point = closestPoint(corners, Work(0), Work(0));
+    const Work depth = Work(0.5) * pair.faceThickness[face];
+    const bool inReach = point.square <= pair.reach * pair.reach;
+    if (!inReach && !(point.square <= depth * depth)) return false;
+    if (looksAway(pair, i, gapAt(corners, point.xi, point.eta).normal)) return false;
+    bool beyond = false;
+    const Projection<Work> at = SignedGap<Precision>{pair, i}.at(face, corners, point, beyond);
+    if (beyond || (at.gap < 0 ? -at.gap > depth : !inReach)) return false;
+    out = {face, point, at.gap};
+    return true;
+}
+
+/// Nearer by true distance; equal distances: lower number.
+template <class Work>
+FPM_KERNEL bool isNearer(const Candidate<Work>& a, const Candidate<Work>& b)
+{
+    return a.point.square < b.point.square || (a.point.square == b.point.square && a.face < b.face);
+}
+
+/// The nearest faces of up to `slots` bodies, one of each, nearest first.
+template <class Work>
+struct NearestFaces {
+    Candidate<Work> best[maxSlots];
+    Index component[maxSlots];
+    int count = 0;
+    bool crowded = false; ///< there were more bodies than slots
+
+    FPM_KERNEL void add(const Candidate<Work>& face, Index body, int slots)
+    {
+        int at = 0;
+        while (at < count && component[at] != body) ++at;
+        if (at < count) {
+            if (!isNearer(face, best[at])) return;
+        } else if (count < slots)
+            ++count;
+        else {
+            crowded = true;
+            at = count - 1;
+            if (!isNearer(face, best[at])) return;
+        }
+        for (; at > 0 && isNearer(face, best[at - 1]); --at) {
+            best[at] = best[at - 1];
+            component[at] = component[at - 1];
+        }
+        best[at] = face;
+        component[at] = body;
+    }
+};
+
+} // namespace fpm

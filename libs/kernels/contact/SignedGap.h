@@ -1,0 +1,172 @@
+#pragma once
+
+#include "kernels/contact/ClosestPoint.h"
+#include "kernels/contact/PairView.h"
+
+namespace fpm {
+
+/// Arc cosine to 2e-8 (double) with + - * and a root, the same bits everywhere (Abramowitz and
+/// Stegun 4.4.46).
+template <class Work>
+FPM_KERNEL Work arcCosine(Work cosine)
+{
+    const Work c = cosine > 1 ? Work(1) : cosine < -1 ? Work(-1) : cosine, x = c < 0 ? -c : c;
+    Work p = Work(-0.0012624911);
+    p = fusedMultiplyAdd(p, x, Work(0.0066700901));
+    p = fusedMultiplyAdd(p, x, Work(-0.0170881256));
+    p = fusedMultiplyAdd(p, x, Work(0.0308918810));
+    p = fusedMultiplyAdd(p, x, Work(-0.0501743046));
+    p = fusedMultiplyAdd(p, x, Work(0.0889789874));
+    p = fusedMultiplyAdd(p, x, Work(-0.2145988016));
+    p = fusedMultiplyAdd(p, x, Work(1.5707963050));
+    p = p * squareRoot(1 - x);
+    return c < 0 ? Work(3.14159265358979324) - p : p;
+}
+
+/// Whether a face with this normal looks the same way as the contactor: surfaces in contact look at
+/// each other. A contactor whose own faces look all ways has no say.
+template <class Precision>
+FPM_KERNEL bool looksAway(const PairView<Precision>& pair,
+                          Index contactor,
+                          const Vec3<typename Precision::Work>& normal)
+{
+    const auto own = pair.ownNormalOf(contactor);
+    using Work = typename Precision::Work;
+    return dot(own, own) > 0 && !(dot(normal, own) < Work(-0.01));
+}
+
+/// Signed distance to the surface at the closest point of one face. Inside the face it is measured
+/// along the normal. On an edge or at a corner the angle-weighted pseudo-normal says on which side
+/// the contactor is (method of Baerentzen and Aanaes 2005) and the gap is the distance itself, its
+/// normal the line to the closest point: the force is the gradient of k gap^2 / 2 there too. For a
+/// contactor the surface ends at its free edges and where it begins to look away.
+template <class Precision>
+struct SignedGap {
+    using Work = typename Precision::Work;
+    const PairView<Precision>& pair;
+    Index contactor;
+    /// How far a contactor may lie beyond a free edge and still be held: a share of half the
+    /// face's width. Wider than rounding and the chords of a round rim.
+    static constexpr double edgeMargin = 0.02;
+
+    FPM_KERNEL FaceCorners<Work> corners(Index face) const
+    {
+        return pair.corners(face, pair.contactor[contactor]);
+    }
+
+    /// `beyond`: the contactor lies off the surface, over a free edge.
+    FPM_KERNEL Projection<Work>
+    at(Index face, const FaceCorners<Work>& here, const FacePoint<Work>& point, bool& beyond) const
+    {
+        Projection<Work> out = gapAt(here, point.xi, point.eta);
+        beyond = false;
+        if (point.where == insideFace) return out;
+        Vec3<Work> pseudo = out.normal;
+        if (point.where < firstCorner)
+            edge(face, here, point, out.offset, pseudo, beyond);
+        else
+            pseudo = fan(face, point.where - firstCorner, out.offset, beyond);
+        const Work weight = dot(pseudo, pseudo);
+        if (!(weight > 0)) return out;
+        const Work size = dot(here.corner[2] - here.corner[0], here.corner[2] - here.corner[0]);
+        const Work square = dot(out.offset, out.offset),
+                   little = Work(sizeof(Work) == 8 ? 1e-14 : 1e-8);
+        if (square > little * size) {
+            const Work distance = squareRoot(square);
+            out.gap = dot(out.offset, pseudo) < 0 ? -distance : distance;
+            out.normal = (Work(1) / out.gap) * out.offset;
+        } else { // its direction would be rounding
+            out.normal = (Work(1) / squareRoot(weight)) * pseudo;
+            out.gap = dot(out.offset, out.normal);
+        }
+        return out;
+    }
+
+private:
+    /// Sum of the normals of the two faces at a point of their common edge.
+    FPM_KERNEL void edge(Index face,
+                         const FaceCorners<Work>& here,
+                         const FacePoint<Work>& point,
+                         Vec3<Work>& offset,
+                         Vec3<Work>& pseudo,
+                         bool& beyond) const
+    {
+        const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(point.where)];
+        if (across == noEdge) return;
+        if (across < 0) {
+            beyond = trim(here, point.where, pseudo, offset);
+            return;
+        }
+        const FaceCorners<Work> other = corners(across / 4);
+        const Work along = point.where == 0   ? point.xi
+                           : point.where == 1 ? point.eta
+                           : point.where == 2 ? -point.xi
+                                              : -point.eta;
+        Work xi, eta;
+        edgePoint(across & 3, Work(0.5) * (1 - along), xi, eta); // the other way round
+        const Vec3<Work> normal = gapAt(other, xi, eta).normal;
+        if (looksAway(pair, contactor, normal))
+            beyond = trim(here, point.where, pseudo, offset);
+        else
+            pseudo += normal;
+    }
+
+    /// Angle-weighted sum of the normals of all faces around a corner of `face`.
+    FPM_KERNEL Vec3<Work> fan(Index face, int corner, Vec3<Work>& offset, bool& beyond) const
+    {
+        Vec3<Work> sum{0, 0, 0};
+        const Index target = pair.faceTarget[4 * std::size_t(face) + std::size_t(corner)];
+        const Index node = pair.target[target];
+        for (Index k = pair.targetFaceStart[target]; k < pair.targetFaceStart[target + 1]; ++k) {
+            const Index number = pair.targetFaces[k];
+            const FaceCorners<Work> f = corners(number);
+            const int c = cornerOf(number, node);
+            const Vec3<Work> normal = cornerNormal(f, c);
+            if (number != face && looksAway(pair, contactor, normal)) continue;
+            const Vec3<Work> a = f.corner[(c + 1) & 3] - f.corner[c],
+                             b = f.corner[(c + 3) & 3] - f.corner[c];
+            const Work sizes = dot(a, a) * dot(b, b);
+            if (sizes > 0) sum = multiplyAdd(arcCosine(dot(a, b) / squareRoot(sizes)), normal, sum);
+            for (int e = c; e < c + 4; e += 3) {
+                const Index across = pair.neighbour[4 * std::size_t(number) + std::size_t(e & 3)];
+                const bool ends = across == freeEdge
+                                  || (across >= 0 && across / 4 != face
+                                      && looksAway(pair, contactor,
+                                                   cornerNormal(corners(across / 4),
+                                                                cornerOf(across / 4, node))));
+                if (ends) beyond = trim(f, e & 3, normal, offset) || beyond;
+            }
+        }
+        return sum;
+    }
+
+    FPM_KERNEL int cornerOf(Index face, Index node) const
+    {
+        const Index* nodes = pair.faceNode + 4 * std::size_t(face);
+        return nodes[0] == node ? 0 : nodes[1] == node ? 1 : nodes[2] == node ? 2 : 3;
+    }
+    FPM_KERNEL static Vec3<Work> cornerNormal(const FaceCorners<Work>& f, int c)
+    {
+        return faceNormal(f, f.corner[(c + 1) & 3] - f.corner[c],
+                          f.corner[(c + 3) & 3] - f.corner[c]);
+    }
+
+    /// Takes from the offset what lies beyond an edge where the surface ends: that is no distance.
+    /// True where it is more than the margin and more than what is left, the depth: a contactor is
+    /// held until it is further out than in.
+    FPM_KERNEL static bool
+    trim(const FaceCorners<Work>& f, int edge, const Vec3<Work>& normal, Vec3<Work>& offset)
+    {
+        const Vec3<Work>* x = f.corner;
+        const int end = (edge + 1) & 3, far = (edge + 2) & 3, last = (edge + 3) & 3;
+        const Vec3<Work> outwards = cross(x[end] - x[edge], normal);
+        const Work twoWidths = dot((x[edge] - x[last]) + (x[end] - x[far]), outwards),
+                   over = dot(offset, outwards), square = dot(outwards, outwards);
+        if (!(over > 0)) return false;
+        offset = multiplyAdd(-over / square, outwards, offset);
+        return over > Work(0.25 * edgeMargin) * twoWidths
+               && over * over > square * dot(offset, offset);
+    }
+};
+
+} // namespace fpm

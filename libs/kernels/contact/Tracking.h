@@ -1,0 +1,150 @@
+#pragma once
+
+#include "kernels/contact/FaceChoice.h"
+
+namespace fpm {
+
+/// A contactor's face at this step and its signed distance to it.
+template <class Work>
+struct Tracked {
+    Index face;
+    Work xi, eta;
+    Projection<Work> at;
+    bool beyond; ///< it left the surface over a free edge
+};
+
+/// Follows a contactor from face to face between searches: always to the nearest, by its warm
+/// projection and, where the surface is not flat, a look across the edges near it. Where faces that
+/// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
+/// so that the tracker cannot miss what the search would find.
+template <class Precision>
+struct FaceTracker {
+    using Work = typename Precision::Work;
+    const PairView<Precision>& pair;
+    CellLists cells;
+    static constexpr int maxHops = 16;
+    /// A square must be smaller by more than rounding to be nearer.
+    static constexpr Work less = Work(1) - (sizeof(Work) == 8 ? Work(1e-12) : Work(1e-5));
+
+    FPM_KERNEL Tracked<Work> follow(Index i) const
+    {
+        Candidate<Work> here;
+        here.face = pair.face[i];
+        FaceCorners<Work> corners = pair.corners(here.face, pair.contactor[i]);
+        Work xi = pair.xi[i], eta = pair.eta[i];
+        if (project(corners, xi, eta) && pair.around[i] == aroundFlat && isInside(xi, eta)) {
+            const Work a = clampedUnit(xi), b = clampedUnit(eta);
+            return {here.face, a, b, gapAt(corners, a, b), false};
+        }
+        here.point = closestPoint(corners, xi, eta);
+        for (int hop = 0; hop < maxHops && hopped(i, here, corners); ++hop)
+            if (hop == maxHops - 1)
+                pair.around[i] = aroundIntricate; // too far for hops: the cells know
+        if (pair.around[i] == aroundIntricate) tryCells(i, here, corners);
+        Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false};
+        out.at = SignedGap<Precision>{pair, i}.at(here.face, corners, here.point, out.beyond);
+        return out;
+    }
+
+private:
+    /// Moves to a neighbour that is nearer by more than rounding, if there is one.
+    FPM_KERNEL bool hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        Index across[2];
+        const Index* list = across;
+        Index count = 0;
+        if (here.point.where >= firstCorner) {
+            const Index target = pair.faceTarget[4 * std::size_t(here.face)
+                                                 + std::size_t(here.point.where - firstCorner)];
+            list = pair.targetFaces + pair.targetFaceStart[target];
+            count = pair.targetFaceStart[target + 1] - pair.targetFaceStart[target];
+        } else
+            count = acrossEdges(i, here, corners, across);
+        for (Index k = 0; k < count; ++k) {
+            const Index other = list[k];
+            if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) continue;
+            const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
+            const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
+            if (!(found.square < less * here.point.square)
+                || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
+                continue;
+            here = {other, found, 0};
+            corners = there;
+            return true;
+        }
+        return false;
+    }
+
+    /// Faces across the edges near the closest point that may be nearer: how many.
+    FPM_KERNEL Index acrossEdges(Index i,
+                                 const Candidate<Work>& here,
+                                 const FaceCorners<Work>& corners,
+                                 Index (&across)[2]) const
+    {
+        const Index* neighbour = pair.neighbour + 4 * std::size_t(here.face);
+        const FacePoint<Work>& point = here.point;
+        if (point.where != insideFace) {
+            across[0] = neighbour[point.where] / 4;
+            return neighbour[point.where] >= 0;
+        }
+        Vec3<Work> r, t1, t2;
+        evaluateFace(corners, point.xi, point.eta, r, t1, t2);
+        // Across an edge further away than the face itself nothing that turns by less than a right
+        // angle can be nearer.
+        const Work xi = 1 - (point.xi < 0 ? -point.xi : point.xi),
+                   eta = 1 - (point.eta < 0 ? -point.eta : point.eta);
+        const bool near[2] = {xi * xi * dot(t1, t1) < point.square,
+                              eta * eta * dot(t2, t2) < point.square};
+        if (!near[0] && !near[1]) return 0;
+        const Vec3<Work> normal = cross(t1, t2);
+        const bool behind = dot(r, normal) < 0;
+        Index count = 0;
+        for (int axis = 0; axis < 2; ++axis) {
+            const int edge = axis == 0 ? (point.xi > 0 ? 1 : 3) : (point.eta > 0 ? 2 : 0);
+            if (near[axis] && turns(i, neighbour[edge], corners, edge, normal, behind))
+                across[count++] = neighbour[edge] / 4;
+        }
+        return count;
+    }
+
+    /// Whether the face across an edge bends to the side the contactor is on.
+    FPM_KERNEL bool turns(Index i,
+                          Index across,
+                          const FaceCorners<Work>& corners,
+                          int edge,
+                          const Vec3<Work>& normal,
+                          bool behind) const
+    {
+        if (across < 0) return false;
+        const Index* nodes = pair.faceNode + 4 * std::size_t(across / 4);
+        const Index origin = pair.contactor[i];
+        // The far corners of the neighbour seen from the common edge, which it has the other way.
+        const Vec3<Work> a = pair.relative(nodes[(across + 3) & 3], origin)
+                             - corners.corner[(edge + 1) & 3],
+                         b = pair.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];
+        const Work first = dot(a, normal), second = dot(b, normal);
+        const Work bend =
+            behind ? (first < second ? -first : -second) : (first > second ? first : second);
+        return bend > 0 && bend * bend > Work(1e-10) * dot(normal, normal) * dot(a, a);
+    }
+
+    FPM_KERNEL void tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        const Index body = pair.componentOf(here.face);
+        Candidate<Work> best{noFace, {}, 0};
+        for (Index level = 0; level <= cells.levels; ++level)
+            for (Index entry = cells.first(pair, pair.contactor[i], level); entry >= 0;
+                 entry = cells.next[entry]) {
+                Candidate<Work> other;
+                if (entry / 8 != here.face && pair.componentOf(entry / 8) == body
+                    && isPartner(pair, i, entry / 8, other)
+                    && (best.face < 0 || isNearer(other, best)))
+                    best = other;
+            }
+        if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
+        here = best;
+        corners = pair.corners(here.face, pair.contactor[i]);
+    }
+};
+
+} // namespace fpm

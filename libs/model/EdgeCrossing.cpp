@@ -1,0 +1,153 @@
+#include "model/EdgeCrossing.h"
+
+#include "model/PointAlgebra.h"
+
+#include <algorithm>
+#include <map>
+
+namespace fpm {
+
+namespace {
+
+using vector::cross;
+
+struct Segment {
+    Point a, b;
+};
+
+Point areaVector(const std::vector<Point>& points, const Quad& quad)
+{
+    const auto x = [&](std::size_t k) { return points[std::size_t(quad[k])]; };
+    return cross(difference(x(2), x(0)), difference(x(3), x(1)));
+}
+
+std::vector<Segment> sharpEdges(const Mesh& mesh,
+                                const std::vector<Point>& points,
+                                const std::vector<ElementSide>& sides)
+{
+    constexpr double cosine30 = 0.86602540378443865;
+    std::map<std::pair<Index, Index>, std::vector<Point>> normals;
+    for (const ElementSide& side : sides) {
+        const Quad quad = mesh.sideNodes(side);
+        for (std::size_t k = 0; k < 4; ++k)
+            normals[std::minmax(quad[k], quad[(k + 1) % 4])].push_back(areaVector(points, quad));
+    }
+    std::vector<Segment> edges;
+    for (const auto& [nodes, faces] : normals) {
+        const bool smooth =
+            faces.size() == 2
+            && dot(faces[0], faces[1]) > cosine30 * length(faces[0]) * length(faces[1]);
+        if (!smooth)
+            edges.push_back({points[std::size_t(nodes.first)], points[std::size_t(nodes.second)]});
+    }
+    return edges;
+}
+
+/// Where the segment passes through the triangle: share of its length; -1: not at all.
+double piercing(const Segment& segment, const Point& a, const Point& b, const Point& c)
+{
+    const Point ab = difference(b, a), ac = difference(c, a), n = cross(ab, ac);
+    const Point d = difference(segment.b, segment.a);
+    const double slope = dot(d, n);
+    if (slope == 0) return -1;
+    const double t = dot(difference(a, segment.a), n) / slope;
+    if (!(t > 0 && t < 1)) return -1;
+    const Point p = difference(along(segment.a, t, d), a);
+    const double u = dot(cross(p, ac), n), v = dot(cross(ab, p), n), size = dot(n, n);
+    return u >= 0 && v >= 0 && u + v <= size ? t : -1;
+}
+
+/// Faces as two triangles each, sorted along x, to find those near a segment.
+class Sweep
+{
+public:
+    Sweep(const Mesh& mesh, const std::vector<Point>& points, const std::vector<ElementSide>& sides)
+        : points_(points)
+    {
+        for (const ElementSide& side : sides) {
+            Face face{mesh.sideNodes(side), {}, {}};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto x = [&](std::size_t k) { return points[std::size_t(face.quad[k])][c]; };
+                face.least[c] = std::min({x(0), x(1), x(2), x(3)});
+                face.most[c] = std::max({x(0), x(1), x(2), x(3)});
+            }
+            widest_ = std::max(widest_, face.most[0] - face.least[0]);
+            faces_.push_back(face);
+        }
+        std::sort(faces_.begin(), faces_.end(),
+                  [](const Face& a, const Face& b) { return a.least[0] < b.least[0]; });
+    }
+
+    /// True where the segment enters the surface and leaves it again: outside at both ends.
+    bool crosses(const Segment& s, Point& place) const
+    {
+        double first = 2, last = -1;
+        bool enters = false, leaves = false;
+        const double from = std::min(s.a[0], s.b[0]) - widest_, to = std::max(s.a[0], s.b[0]);
+        auto face = std::lower_bound(faces_.begin(), faces_.end(), from,
+                                     [](const Face& f, double x) { return f.least[0] < x; });
+        for (; face != faces_.end() && face->least[0] <= to; ++face) {
+            if (!overlaps(*face, s)) continue;
+            const double t = pierced(*face, s);
+            if (t < 0) continue;
+            const bool inwards = dot(difference(s.b, s.a), areaVector(points_, face->quad)) < 0;
+            if (inwards && t < first) {
+                first = t;
+                enters = true;
+            }
+            if (!inwards && t > last) {
+                last = t;
+                leaves = true;
+            }
+        }
+        if (!enters || !leaves || !(first < last)) return false;
+        place = along(s.a, 0.5 * (first + last), difference(s.b, s.a));
+        return true;
+    }
+
+private:
+    struct Face {
+        Quad quad;
+        Point least, most;
+    };
+    static bool overlaps(const Face& face, const Segment& s)
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::max(s.a[c], s.b[c]) < face.least[c] || std::min(s.a[c], s.b[c]) > face.most[c])
+                return false;
+        return true;
+    }
+    double pierced(const Face& face, const Segment& s) const
+    {
+        const auto x = [&](std::size_t k) { return points_[std::size_t(face.quad[k])]; };
+        const double t = piercing(s, x(0), x(1), x(2));
+        return t >= 0 ? t : piercing(s, x(0), x(2), x(3));
+    }
+
+    const std::vector<Point>& points_;
+    std::vector<Face> faces_;
+    double widest_ = 0;
+};
+
+void count(EdgeCrossings& found, const std::vector<Segment>& edges, const Sweep& faces)
+{
+    for (const Segment& edge : edges) {
+        Point place;
+        if (faces.crosses(edge, place) && found.count++ == 0) found.place = place;
+    }
+}
+
+} // namespace
+
+EdgeCrossings edgeCrossings(const Mesh& mesh,
+                            const std::vector<Point>& points,
+                            const std::vector<ElementSide>& contactor,
+                            const std::vector<ElementSide>& target)
+{
+    EdgeCrossings found;
+    count(found, sharpEdges(mesh, points, contactor), Sweep(mesh, points, target));
+    count(found, sharpEdges(mesh, points, target), Sweep(mesh, points, contactor));
+    return found;
+}
+
+} // namespace fpm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mesh/Mesh.h"
+
+namespace fpm {
+
+/// Edges of one surface that pass through faces of the other between their nodes, so that no node
+/// is inside and node-to-face contact does not see it.
+struct EdgeCrossings {
+    std::size_t count = 0;
+    Point place{0, 0, 0}; ///< of the first
+};
+
+/// Counts the sharp edges (more than 30 degrees between their faces, or one face only) of each
+/// surface whose ends both lie outside the other and whose middle does not. `points` are the
+/// present positions of the mesh's nodes.
+EdgeCrossings edgeCrossings(const Mesh& mesh,
+                            const std::vector<Point>& points,
+                            const std::vector<ElementSide>& contactor,
+                            const std::vector<ElementSide>& target);
+
+} // namespace fpm

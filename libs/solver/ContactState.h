@@ -1,0 +1,218 @@
+#pragma once
+
+#include "kernels/contact/Search.h"
+#include "kernels/contact/Travel.h"
+#include "parallel/Array.h"
+#include "solver/PenaltyData.h"
+
+namespace fpm {
+
+/// Copies values into another number type. Static, as all helpers here: a copy of its own for each
+/// vector width, or the linker might keep one that not every processor can run.
+template <class To, class From>
+static std::vector<To> converted(const std::vector<From>& values)
+{
+    std::vector<To> out;
+    out.reserve(values.size());
+    for (const From& value : values) out.push_back(To(value));
+    return out;
+}
+
+/// Three planes of a vector field.
+template <class To>
+static std::vector<To> planes(const std::vector<Point>& points)
+{
+    std::vector<To> out(3 * points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) out[c * points.size() + i] = To(points[i][c]);
+    return out;
+}
+
+/// Arrays of one pass of a contact pair in the executor's memory.
+template <class Precision, class Executor>
+struct PairState {
+    using Work = typename Precision::Work;
+    template <class T>
+    using Of = Array<T, Executor>;
+
+    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
+        faceTarget, neighbour;
+    Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
+        contactorComponent, face, head, next;
+    Of<Index> frictionFace;
+    Of<std::uint8_t> mayMeet, around;
+    Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
+    Of<Work> contactorStiffness, contactorMass, faceMass;
+    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
+    Of<std::int64_t> counts;
+    std::uint32_t mask = 0;
+
+    static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
+    /// The stored tangential force is kept in the frame of a face.
+    static bool convectedFriction(const PairData& pair)
+    {
+        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
+    }
+
+    explicit PairState(const PairData& pair)
+        : contactor(pair.contactor),
+          contactorNumber(pair.contactorNumber),
+          ownFaceStart(pair.ownFaceStart),
+          ownFaceNode(pair.ownFaceNode),
+          faceNode(pair.faceNode),
+          faceNumber(pair.faceNumber),
+          faceTarget(pair.faceTarget),
+          neighbour(pair.neighbour),
+          target(pair.target),
+          targetFaceStart(pair.targetFaceStart),
+          targetFaces(pair.targetFaces),
+          excludedStart(pair.excludedStart),
+          excluded(pair.excluded),
+          faceComponent(pair.faceComponent),
+          contactorComponent(pair.contactorComponent),
+          face(std::vector<Index>(pair.contactor.size(), noFace)),
+          frictionFace(
+              std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
+          mayMeet(pair.mayMeet),
+          around(pair.contactor.size()),
+          faceStiffness(converted<Work>(pair.faceStiffness)),
+          faceThickness(converted<Work>(pair.faceThickness)),
+          ownNormal(3 * std::size_t(pair.nodeCount)),
+          xi(pair.contactor.size()),
+          eta(pair.contactor.size()),
+          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
+                                         : 0),
+          overlap(pair.contactor.size()),
+          contactorStiffness(converted<Work>(pair.contactorStiffness)),
+          contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
+          faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
+          force(3 * pair.contactor.size()),
+          spring(pair.contactor.size()),
+          dissipated(pair.contactor.size()),
+          dampingForce(damps(pair) ? pair.contactor.size() : 0),
+          damped(damps(pair) ? pair.contactor.size() : 0),
+          surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
+          injected(pair.fadeTime > 0 ? 2 * pair.contactor.size() : 0),
+          counts(pairCounts)
+    {
+        const bool faces = pair.search == ContactSearch::faces;
+        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
+        std::uint32_t size = 16;
+        while (size < 2 * entries) size *= 2;
+        mask = size - 1;
+        head = Of<Index>(size);
+        next = Of<Index>(entries);
+    }
+
+    /// What the kernels see of the pair, but for the state of the particles.
+    PairView<Precision> view(const PairData& pair)
+    {
+        PairView<Precision> v{};
+        v.contactorCount = Index(contactor.size());
+        v.faceCount = Index(faceThickness.size());
+        v.targetCount = Index(target.size());
+        v.nodeCount = pair.nodeCount;
+        v.contactor = contactor.data();
+        v.contactorNumber = contactorNumber.data();
+        v.ownFaceStart = ownFaceStart.data();
+        v.ownFaceNode = ownFaceNode.data();
+        v.faceNode = faceNode.data();
+        v.faceNumber = faceNumber.data();
+        v.faceTarget = faceTarget.data();
+        v.neighbour = neighbour.data();
+        v.faceStiffness = faceStiffness.data();
+        v.faceThickness = faceThickness.data();
+        v.target = target.data();
+        v.targetFaceStart = targetFaceStart.data();
+        v.targetFaces = targetFaces.data();
+        v.excludedStart = excludedStart.data();
+        v.excluded = excluded.data();
+        v.faceComponent = faceComponent.data();
+        v.contactorComponent = contactorComponent.data();
+        v.mayMeet = mayMeet.data();
+        v.components = pair.components;
+        v.ownNormal = ownNormal.data();
+        v.face = face.data();
+        v.xi = xi.data();
+        v.eta = eta.data();
+        v.around = around.data();
+        v.force = force.data();
+        v.counts = counts.data();
+        v.overlap = overlap.data();
+        v.injected = injected.data();
+        v.fadeTime = pair.fadeTime;
+        v.reach = Work(pair.reach);
+        v.faceMass = faceMass.data();
+        v.law = law(pair);
+        return v;
+    }
+
+    /// Springs, friction and damping of the pass.
+    PairLaw<Work> law(const PairData& pair)
+    {
+        const ContactLaw& l = pair.law;
+        const double slow = l.friction, fast = l.dynamicFriction;
+        return {.count = Index(contactor.size()),
+                .source = l.penalty == PenaltyRule::series   ? PenaltySource::series
+                          : l.penalty == PenaltyRule::target ? PenaltySource::target
+                                                             : PenaltySource::lesser,
+                .contactorStiffness = contactorStiffness.data(),
+                .friction = {.staticCoefficient = Work(slow),
+                             .dynamicCoefficient = Work(fast < 0 ? slow : fast),
+                             .decay = l.frictionDecay,
+                             .stiffnessRatio = Work(l.tangentialScale / l.normalScale),
+                             .paper = l.paperFriction},
+                .stored = friction.data(),
+                .storedFace = frictionFace.data(),
+                .spring = spring.data(),
+                .dissipated = dissipated.data(),
+                .dampingRatio = Work(l.normalDamping),
+                .contactorMass = contactorMass.data(),
+                .dampingForce = dampingForce.data(),
+                .damped = damped.data(),
+                .limitFactor = Work(dampingLimit(l))};
+    }
+
+    CellLists cells(const PairData& pair)
+    {
+        return {head.data(), next.data(), mask, pair.cellSize, pair.levels};
+    }
+
+    std::size_t bytes() const
+    {
+        std::size_t sum = 0;
+        for (const Of<Index>* array :
+             {&contactor, &contactorNumber, &ownFaceStart, &ownFaceNode, &faceNode, &faceNumber,
+              &faceTarget, &neighbour, &target, &targetFaceStart, &targetFaces, &excludedStart,
+              &excluded, &faceComponent, &contactorComponent, &face, &head, &next, &frictionFace})
+            sum += array->bytes();
+        for (const Of<Work>* array :
+             {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
+              &contactorStiffness, &contactorMass, &faceMass})
+            sum += array->bytes();
+        for (const Of<double>* array :
+             {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
+            sum += array->bytes();
+        return sum + mayMeet.bytes() + around.bytes() + counts.bytes();
+    }
+};
+
+/// Enters the target of a pass into its cells and finds the face of every contactor.
+template <class Precision, class Executor>
+void searchPass(Executor& executor,
+                const PairView<Precision>& view,
+                const CellLists& cells,
+                bool faces)
+{
+    executor.parallelFor(Index(cells.mask) + 1, Fill<Index>{cells.head, Index(-1)});
+    executor.parallelFor(view.nodeCount, ContactorNormal<Precision>{view});
+    if (faces) {
+        executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
+        executor.parallelFor(view.nodeCount, FindFace<Precision>{view, cells});
+    } else {
+        executor.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
+        executor.parallelFor(view.nodeCount, FindClosestParticle<Precision>{view, cells});
+    }
+}
+
+} // namespace fpm

@@ -1,0 +1,73 @@
+#include "solver/ContactWatch.h"
+
+#include "base/Format.h"
+#include "model/EdgeCrossing.h"
+
+namespace fpm {
+
+void reportOverlaps(const Solver& solver, const Model& model, Log& log)
+{
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
+        const PairOverlap overlap = solver.initialOverlap(pair);
+        if (overlap.count == 0) continue;
+        const Point& p = model.mesh.points[std::size_t(overlap.node)];
+        log.line(format("pair {}: {} contactors start inside the target, deepest {} at ({} {} {})",
+                        model.contactPairs[pair].name, overlap.count, overlap.deepest, p[0], p[1],
+                        p[2]));
+    }
+}
+
+void reportContact(Solver& solver, const Model& model, Log& log)
+{
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
+        const PairForce force = solver.pairForce(pair);
+        const std::string& name = model.contactPairs[pair].name;
+        if (force.released > 0)
+            log.warning(format("{} contactor nodes of pair {} went deeper than the target is "
+                               "thick and were let go",
+                               force.released, name));
+        if (force.crowded > 0)
+            log.warning(format("pair {}: {} times a node had more than three bodies in reach; it "
+                               "was held by the nearest three",
+                               name, force.crowded));
+        if (force.overEdge > 0)
+            log.line(format("pair {}: {} times a contactor left the target over a free edge while "
+                            "in touch",
+                            name, force.overEdge));
+        if (force.inside > 0)
+            log.line(format("pair {}: {} times a contactor was first found inside the target; that "
+                            "depth makes no force",
+                            name, force.inside));
+        if (force.mistaken > 0)
+            log.line(format("pair {}: {} times a search found a nearer face than the one a "
+                            "contactor in touch had followed",
+                            name, force.mistaken));
+    }
+}
+
+void watchEdges(Solver& solver, const Model& model, std::vector<bool>& warned, Log& log)
+{
+    warned.resize(model.contactPairs.size());
+    std::vector<Point> points;
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
+        if (warned[pair] || model.contactPairs[pair].kind != ContactKind::pair) continue;
+        if (points.empty()) {
+            const NodeValues values = solver.nodeValues({});
+            for (std::size_t i = 0; i < values.count; ++i) points.push_back(values.at(0, i));
+        }
+        for (const ContactSurfaces& surfaces : model.mesh.contact) {
+            if (surfaces.pair != model.contactPairs[pair].name) continue;
+            const EdgeCrossings found =
+                edgeCrossings(model.mesh, points, surfaces.contactorSides, surfaces.targetSides);
+            if (found.count == 0) continue;
+            warned[pair] = true;
+            log.warning(format("pair {}: at time {} {} edges pass through the other surface "
+                               "between their nodes, first at ({} {} {}): node-to-face contact "
+                               "does not see them",
+                               surfaces.pair, solver.clock().time, found.count, found.place[0],
+                               found.place[1], found.place[2]));
+        }
+    }
+}
+
+} // namespace fpm

@@ -1,0 +1,58 @@
+#include "model/EdgeCrossing.h"
+
+#include "mesh/Surface.h"
+#include "unit/model/BoxMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace fpm;
+
+namespace {
+
+/// Two wedges edge on edge, crossed at right angles: boxes turned on an edge, `overlap` into each
+/// other. No node of one is near the other.
+Mesh crossedWedges(double overlap)
+{
+    Mesh mesh = test::boxMesh({{"lower", {-3, -0.5, -0.5}, {6, 1, 1}, {1, 1, 1}},
+                               {"upper", {-0.5, -3, -0.5}, {1, 6, 1}, {1, 1, 1}}});
+    const double s = std::sqrt(0.5);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        Point& p = mesh.points[i];
+        const bool upper = i >= 8;
+        const std::size_t across = upper ? 0 : 1;
+        const double a = p[across], z = p[2];
+        p[across] = s * (a - z);
+        p[2] = s * (a + z) + (upper ? 2 * s - overlap : 0);
+    }
+    return mesh;
+}
+
+EdgeCrossings crossings(const Mesh& mesh)
+{
+    return edgeCrossings(mesh, mesh.points, skin(mesh, 0), skin(mesh, 1));
+}
+
+} // namespace
+
+TEST(EdgeCrossing, SeesEdgesThatCrossWhereNoNodeIsInside)
+{
+    const EdgeCrossings found = crossings(crossedWedges(0.05));
+    EXPECT_EQ(found.count, 2u); // the ridge of each passes through the other
+    EXPECT_NEAR(found.place[0], 0, 1e-12);
+    EXPECT_NEAR(found.place[1], 0, 1e-12);
+    EXPECT_NEAR(found.place[2], std::sqrt(0.5), 0.05);
+}
+
+TEST(EdgeCrossing, SeesNoneWhereTheBodiesAreApart)
+{
+    EXPECT_EQ(crossings(crossedWedges(-0.01)).count, 0u);
+}
+
+TEST(EdgeCrossing, DoesNotTakeANodeInsideForACrossing)
+{
+    const Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {4, 4, 1}, {4, 4, 2}},
+                                     {"upper", {1.2, 1.2, 0.9}, {2, 2, 1}, {3, 3, 1}}});
+    EXPECT_EQ(crossings(mesh).count, 0u);
+}

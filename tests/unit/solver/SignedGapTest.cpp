@@ -1,0 +1,287 @@
+#include "unit/solver/searchScene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace fpm::test {
+namespace {
+
+double uniform(std::mt19937& random, double low, double high)
+{
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// The skin of the cube [0, 1]^3, n x n faces a side, nodes shared.
+Grid cube(Index n, bool inwards = false)
+{
+    Grid out;
+    const auto node = [&](Point p) {
+        for (std::size_t i = 0; i < out.points.size(); ++i) {
+            double far = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+                far = std::max(far, std::abs(out.points[i][c] - p[c]));
+            if (far < 1e-9) return Index(i);
+        }
+        out.points.push_back(p);
+        return Index(out.points.size()) - 1;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double side : {0.0, 1.0})
+            for (Index i = 0; i < n; ++i)
+                for (Index j = 0; j < n; ++j) {
+                    const auto at = [&](Index a, Index b) {
+                        Point p;
+                        p[axis] = side;
+                        p[(axis + 1) % 3] = double(a) / double(n);
+                        p[(axis + 2) % 3] = double(b) / double(n);
+                        return node(p);
+                    };
+                    std::array<Index, 4> face{at(i, j), at(i + 1, j), at(i + 1, j + 1),
+                                              at(i, j + 1)};
+                    if ((side == 0) != inwards) std::swap(face[1], face[3]);
+                    out.faces.push_back(face);
+                }
+    return out;
+}
+
+/// Signed distance to the cube [0, 1]^3, negative inside.
+double cubeDistance(const Point& p)
+{
+    double square = 0, deepest = -1e9;
+    for (const double x : p) {
+        const double out = std::max(-x, x - 1);
+        square += out > 0 ? out * out : 0;
+        deepest = std::max(deepest, out);
+    }
+    return deepest > 0 ? std::sqrt(square) : deepest;
+}
+
+TEST(SignedGap, OfACubeIsTheDistanceAtFacesEdgesAndCorners)
+{
+    // F4: nothing falls into a dead zone at a convex edge. Outside and inside, up to half a face.
+    std::mt19937 random(61);
+    std::vector<Point> queries;
+    while (queries.size() < 4000) {
+        const Point p{uniform(random, -0.2, 1.2), uniform(random, -0.2, 1.2),
+                      uniform(random, -0.2, 1.2)};
+        if (std::abs(cubeDistance(p)) < 0.06) queries.push_back(p);
+    }
+    const Grid faces = cube(4);
+    SearchScene scene(faces.points, faces.faces, queries, ContactSearch::faces, 0.25);
+    scene.search();
+    Index edges = 0;
+    for (Index query = 0; query < scene.queries(); ++query) {
+        ASSERT_GE(scene.faceOf(query), 0);
+        const Tracked<double> now = scene.follow(query);
+        const Point& p = queries[std::size_t(query)];
+        EXPECT_FALSE(now.beyond);
+        EXPECT_NEAR(now.at.gap, cubeDistance(p), 1e-10);
+        // The normal is the gradient of the distance.
+        for (std::size_t c = 0; c < 3; ++c) {
+            Point a = p, b = p;
+            a[c] -= 1e-6;
+            b[c] += 1e-6;
+            const double slope = (cubeDistance(b) - cubeDistance(a)) / 2e-6;
+            const double n = c == 0 ? now.at.normal.x : c == 1 ? now.at.normal.y : now.at.normal.z;
+            if (cubeDistance(p) > 1e-4) {
+                EXPECT_NEAR(n, slope, 1e-4);
+            }
+        }
+        edges += now.at.gap > 0 && std::abs(now.at.normal.x) < 0.99
+                 && std::abs(now.at.normal.y) < 0.99 && std::abs(now.at.normal.z) < 0.99;
+    }
+    EXPECT_GT(edges, 100);
+}
+
+TEST(SignedGap, BehindAConcaveCornerIsTheResultantOfItsWalls)
+{
+    // F14: inside of a box; behind an edge or corner of it the gap is the distance to that.
+    std::mt19937 random(62);
+    std::vector<Point> queries;
+    for (int i = 0; i < 2000; ++i)
+        queries.push_back({uniform(random, -0.05, 0.06), uniform(random, -0.05, 0.06),
+                           uniform(random, -0.05, 0.06)});
+    const Grid faces = cube(4, true);
+    SearchScene scene(faces.points, faces.faces, queries, ContactSearch::faces, 0.25);
+    scene.search();
+    for (Index query = 0; query < scene.queries(); ++query) {
+        ASSERT_GE(scene.faceOf(query), 0);
+        const Tracked<double> now = scene.follow(query);
+        const double distance = -cubeDistance(queries[std::size_t(query)]);
+        EXPECT_NEAR(now.at.gap, distance, 1e-10);
+        if (distance < -1e-6) {
+            const Point& p = queries[std::size_t(query)];
+            EXPECT_NEAR(now.at.normal.x, p[0] < 0 ? p[0] / distance : 0, 1e-6);
+            EXPECT_NEAR(now.at.normal.y, p[1] < 0 ? p[1] / distance : 0, 1e-6);
+            EXPECT_NEAR(now.at.normal.z, p[2] < 0 ? p[2] / distance : 0, 1e-6);
+        }
+    }
+}
+
+TEST(SignedGap, OnBordersAndCornersOfFacesRoundingDecidesNothing)
+{
+    // F5: points over edges and corners of a flat sheet, its rim too, moved by rounding.
+    for (const double shift : {0.0, 1e-16, -1e-16, 1e-13, -1e-13, 1e-9, -1e-9})
+        for (const double depth : {-0.01, -1e-6, 0.01}) {
+            std::vector<Point> queries;
+            for (int i = 0; i <= 8; ++i)
+                for (int j = 0; j <= 8; ++j)
+                    queries.push_back({i / 8.0 + shift, j / 8.0 + shift, depth});
+            const Grid faces = grid(4, 4, [](double x, double y) { return Point{x, y, 0}; });
+            SearchScene scene(faces.points, faces.faces, queries, ContactSearch::faces, 0.25);
+            scene.search();
+            for (Index query = 0; query < scene.queries(); ++query) {
+                ASSERT_GE(scene.faceOf(query), 0) << "shift " << shift << " depth " << depth;
+                const Tracked<double> now = scene.follow(query);
+                EXPECT_FALSE(now.beyond);
+                EXPECT_NEAR(now.at.gap, depth, 1e-12);
+                EXPECT_NEAR(now.at.normal.z, 1, 1e-12);
+            }
+        }
+}
+
+TEST(SignedGap, EndsAtFreeEdges)
+{
+    // F15: beyond the rim by more than a hundredth of a face's width, and by more than the depth,
+    // there is no contact.
+    const Grid faces = grid(2, 2, [](double x, double y) { return Point{x, y, 0}; });
+    for (const double depth : {0.001, 0.01})
+        for (const double over : {0.004, 0.006, 0.012})
+            for (const Point& out :
+                 {Point{1, 0, 0}, Point{0, -1, 0}, Point{1, 1, 0}, Point{-1, -1, 0}}) {
+                const Point p{out[0] > 0   ? 1 + over
+                              : out[0] < 0 ? -over
+                                           : 0.3,
+                              out[1] > 0   ? 1 + over
+                              : out[1] < 0 ? -over
+                                           : 0.3,
+                              -depth};
+                SearchScene scene(faces.points, faces.faces, {p}, ContactSearch::faces, 0.25);
+                scene.search();
+                if (over > std::max(depth, 0.005)) {
+                    EXPECT_EQ(scene.faceOf(0), noFace) << over << " at depth " << depth;
+                    continue;
+                }
+                ASSERT_GE(scene.faceOf(0), 0) << over << " at depth " << depth;
+                const Tracked<double> now = scene.follow(0);
+                EXPECT_FALSE(now.beyond);
+                EXPECT_NEAR(now.at.gap, -depth, 1e-12) << "what lies beyond the rim is no depth";
+                EXPECT_NEAR(now.at.normal.z, 1, 1e-12);
+            }
+}
+
+/// A surface of ridges and valleys over x, and a bend along y.
+double waves(double x, double y)
+{
+    return 0.06 * std::sin(9 * x) * (1 + 0.3 * y) + 0.02 * std::cos(5 * y);
+}
+
+TEST(Tracking, FollowsTheNearestFaceOverRidgesAndValleysWithoutASearch)
+{
+    // What the tracker follows is what trying all faces finds, step after step.
+    std::mt19937 random(63);
+    const Grid faces = grid(16, 8, [](double x, double y) { return Point{x, y, waves(x, y)}; });
+    std::vector<Point> queries;
+    for (int i = 0; i < 40; ++i) {
+        const double x = uniform(random, 0.1, 0.9), y = uniform(random, 0.2, 0.8);
+        queries.push_back({x, y, waves(x, y) + uniform(random, -0.015, 0.005)});
+    }
+    SearchScene scene(faces.points, faces.faces, queries, ContactSearch::faces, 0.1);
+    scene.search();
+    const double reach = scene.data().reach;
+    for (Index query = 0; query < scene.queries(); ++query) {
+        Point p = queries[std::size_t(query)];
+        const double turn = uniform(random, 0, 6.28), dx = std::cos(turn), dy = std::sin(turn);
+        for (int step = 0; step < 50; ++step) {
+            p[0] += dx * 0.99 * reach / 50;
+            p[1] += dy * 0.99 * reach / 50;
+            scene.move(query, p);
+            const Tracked<double> now = scene.follow(query);
+            const Candidate<double> best = scene.bruteForce(query);
+            if (best.face < 0) break; // over the rim, or out of reach
+            EXPECT_LE(scene.squareTo(query, now.face), 1.0000001 * best.point.square);
+        }
+    }
+}
+
+TEST(Tracking, SeesTheOppositeFlankOfAGroove)
+{
+    // F1: a V of 20 degrees, one long face on the left, eight on the right. A point goes from flank
+    // to flank below its nodes; those nearest to it are on the right all the way.
+    const double slope = std::tan(80 * 3.14159265358979 / 180);
+    const Grid faces = grid(9, 2, [&](double x, double y) {
+        const double at = x < 0.05 ? -0.2 : 0.2 * (9 * x - 1) / 8;
+        return Point{at, y, slope * std::abs(at)};
+    });
+    const auto exact = [&](double x) {
+        return 0.49 * std::cos(80 * 3.14159265358979 / 180)
+               - std::abs(x) * std::sin(80 * 3.14159265358979 / 180);
+    };
+    SearchScene scene(faces.points, faces.faces, {{-0.1, 0.4, 0.49}}, ContactSearch::faces, 0.1);
+    scene.search();
+    double way = 0;
+    for (double x = -0.1; x < 0.1; x += 0.0005, way += 0.0005) {
+        scene.move(0, {x, 0.4, 0.49});
+        if (2 * way > scene.data().reach) { // as often as in a run
+            scene.search();
+            way = 0;
+        }
+        if (std::abs(exact(x)) > 0.04) continue;
+        ASSERT_GE(scene.faceOf(0), 0) << "at " << x;
+        EXPECT_NEAR(scene.follow(0).at.gap, exact(x), 1e-9) << "at " << x;
+    }
+    SearchScene paper(faces.points, faces.faces, {{-0.1, 0.4, 0.49}},
+                      ContactSearch::closestParticle, 0.1);
+    paper.search();
+    EXPECT_EQ(paper.faceOf(0), noFace) << "lost, though inside the left flank by " << exact(0.1);
+}
+
+/// Work of the penalty force over a way, and the change of k gap^2 / 2.
+double lostWork(SearchScene& scene, const std::function<Point(double)>& way, int steps)
+{
+    double work = 0, first = 0, last = 0, most = 0;
+    Point before{}, forceBefore{};
+    for (int step = 0; step <= steps; ++step) {
+        const Point p = way(double(step) / steps);
+        scene.move(0, p);
+        const Tracked<double> now = scene.follow(0);
+        const double gap = std::min(now.at.gap, 0.0);
+        const Point force{-gap * now.at.normal.x, -gap * now.at.normal.y, -gap * now.at.normal.z};
+        last = 0.5 * gap * gap;
+        most = std::max(most, last);
+        if (step == 0)
+            first = last;
+        else
+            for (std::size_t c = 0; c < 3; ++c)
+                work += 0.5 * (force[c] + forceBefore[c]) * (p[c] - before[c]);
+        before = p;
+        forceBefore = force;
+    }
+    return (work + last - first) / most;
+}
+
+TEST(Tracking, ForceIsTheGradientOfAPotentialOverRidgesAndValleys)
+{
+    // F6: sliding over a roof and through a valley of 20 degrees creates and loses nothing; what is
+    // left, of the step in which the normal changes, falls with the step.
+    for (const double sign : {-1.0, 1.0}) {
+        const Grid faces = grid(2, 2, [&](double x, double y) {
+            return Point{x, y, sign * 0.176 * std::abs(x - 0.5)};
+        });
+        const auto way = [&](double s) {
+            return Point{0.4 + 0.2 * s, 0.3 + 0.3 * s, sign * 0.01 - 0.02 + 0.003 * s};
+        };
+        std::vector<double> lost;
+        for (const int steps : {200, 8000}) {
+            SearchScene scene(faces.points, faces.faces, {way(0)}, ContactSearch::faces, 0.3);
+            scene.search();
+            lost.push_back(std::abs(lostWork(scene, way, steps)));
+        }
+        EXPECT_LT(lost[1], 1e-3) << (sign < 0 ? "roof" : "valley");
+        EXPECT_LT(lost[1], 0.1 * lost[0] + 1e-6);
+    }
+}
+
+} // namespace
+} // namespace fpm::test
