@@ -223,7 +223,7 @@ TEST(ContactKinds, RigidBodiesAreLeftOutOfGeneralContactWithEachOther)
     addBox(model.mesh, "c", {2, 2, 2}, {0.1, 0.1, 1.94}, {1, 1, 1});
     renumber(model.mesh);
     model.parts.assign(3, metal());
-    model.parts[0].kind = model.parts[1].kind = PartKind::rigid;
+    model.parts[0].kind = model.parts[1].kind = PartKind::rigidPrescribed;
     std::vector<Index> rigid = nodesOfPart(model.mesh, "a");
     for (const Index node : nodesOfPart(model.mesh, "b")) rigid.push_back(node);
     std::sort(rigid.begin(), rigid.end());
