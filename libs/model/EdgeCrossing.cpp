@@ -3,6 +3,7 @@
 #include "model/PointAlgebra.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace fpm {
@@ -82,7 +83,7 @@ public:
     bool crosses(const Segment& s, Point& place) const
     {
         double first = 2, last = -1;
-        bool enters = false, leaves = false;
+        const Face *enters = nullptr, *leaves = nullptr;
         const double from = std::min(s.a[0], s.b[0]) - widest_, to = std::max(s.a[0], s.b[0]);
         auto face = std::lower_bound(faces_.begin(), faces_.end(), from,
                                      [](const Face& f, double x) { return f.least[0] < x; });
@@ -93,16 +94,16 @@ public:
             const bool inwards = dot(difference(s.b, s.a), areaVector(points_, face->quad)) < 0;
             if (inwards && t < first) {
                 first = t;
-                enters = true;
+                enters = &*face;
             }
             if (!inwards && t > last) {
                 last = t;
-                leaves = true;
+                leaves = &*face;
             }
         }
         if (!enters || !leaves || !(first < last)) return false;
         place = along(s.a, 0.5 * (first + last), difference(s.b, s.a));
-        return true;
+        return isDeep(*enters, place) && isDeep(*leaves, place);
     }
 
 private:
@@ -110,6 +111,15 @@ private:
         Quad quad;
         Point least, most;
     };
+    /// Further behind the face than a penalty lets surfaces in touch overlap.
+    bool isDeep(const Face& face, const Point& place) const
+    {
+        const Point n = areaVector(points_, face.quad);
+        const double twiceArea = length(n);
+        const double depth =
+            dot(difference(points_[std::size_t(face.quad[0])], place), n) / twiceArea;
+        return depth > 0.01 * std::sqrt(0.5 * twiceArea);
+    }
     static bool overlaps(const Face& face, const Segment& s)
     {
         for (std::size_t c = 0; c < 3; ++c)

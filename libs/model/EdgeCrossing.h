@@ -12,8 +12,8 @@ struct EdgeCrossings {
 };
 
 /// Counts the sharp edges (more than 30 degrees between their faces, or one face only) of each
-/// surface whose ends both lie outside the other and whose middle does not. `points` are the
-/// present positions of the mesh's nodes.
+/// surface whose ends both lie outside the other and whose middle is inside by more than a
+/// hundredth of a face's width. `points` are the present positions of the mesh's nodes.
 EdgeCrossings edgeCrossings(const Mesh& mesh,
                             const std::vector<Point>& points,
                             const std::vector<ElementSide>& contactor,

@@ -23,7 +23,7 @@ enum PairCount {
     countReleased, ///< let go: deeper than the target is thick
     countOverEdge, ///< left the target over a free edge while in touch
     countInside,   ///< found by a search inside the target, their depth forgiven
-    countMistaken, ///< found by a search to have followed a face that was not the nearest
+    countMistaken, ///< found by a search to have followed a face not the nearest, by 1 %
     countCrowded,  ///< searches that found more bodies in reach of a contactor than it has slots
     pairCounts
 };

@@ -83,7 +83,9 @@ private:
                                                      pair.xi[i], pair.eta[i]);
             // As far away, such as on the edge between the two: no reason to change.
             if (!(found.point.square < Work(0.9998) * now.square)) return;
-            atomicAdd64(pair.counts + countMistaken, 1);
+            if (found.point.square < Work(0.98) * now.square
+                && now.square > Work(1e-8) * pair.reach * pair.reach)
+                atomicAdd64(pair.counts + countMistaken, 1);
         }
         pair.face[i] = found.face;
         pair.xi[i] = found.point.xi;
