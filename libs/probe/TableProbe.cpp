@@ -197,9 +197,8 @@ void TableProbe::sampleProfile(const Frame& frame)
             row.push_back(field->values.at(std::size_t(entity) * field->columns + component));
         table_.rows.push_back(std::move(row));
     }
-    std::stable_sort(table_.rows.begin(), table_.rows.end(), [&](const auto& a, const auto& b) {
-        return a[spec_.axis] < b[spec_.axis];
-    });
+    std::stable_sort(table_.rows.begin(), table_.rows.end(),
+                     [&](const auto& a, const auto& b) { return a[spec_.axis] < b[spec_.axis]; });
 }
 
 void TableProbe::sample(const Frame& frame)

@@ -54,8 +54,8 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
                 + out.friction + out.damping;
     // A body that friction has brought to rest is judged by the energy it came with.
-    const double scale = std::max(
-        {out.kinetic, out.internal, std::abs(out.external), out.friction, startEnergy_});
+    const double scale =
+        std::max({out.kinetic, out.internal, std::abs(out.external), out.friction, startEnergy_});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
 }

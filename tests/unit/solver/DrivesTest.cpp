@@ -66,11 +66,11 @@ TEST(Drives, ABodyDrivenFromTheStartIsNotStruck)
     for (const Kind kind : {Kind::velocity, Kind::displacement}) {
         Model model = bar();
         const std::vector<Index> everyNode = nodesWhere(model.mesh, [](Point) { return true; });
-        const Amplitude amplitude =
-            kind == Kind::velocity ? Amplitude{Amplitude::Kind::table, {{0, 1}}}
-                                   : Amplitude{Amplitude::Kind::table, {{0, 0}, {1e-3, 1e-3}}};
-        model.boundaryConditions.push_back(condition(kind, "drive", everyNode, {true, false, false},
-                                                     {500, 0, 0}, amplitude));
+        const Amplitude amplitude = kind == Kind::velocity
+                                        ? Amplitude{Amplitude::Kind::table, {{0, 1}}}
+                                        : Amplitude{Amplitude::Kind::table, {{0, 0}, {1e-3, 1e-3}}};
+        model.boundaryConditions.push_back(
+            condition(kind, "drive", everyNode, {true, false, false}, {500, 0, 0}, amplitude));
         const auto solver = startedSolver(model);
         EXPECT_NEAR(solver->energies().kinetic, energy, 1e-9 * energy);
         solver->advance(1e-6, 5);
