@@ -22,7 +22,7 @@ def sliding(binaries, velocity, friction, end, slope=0.0):
                    f"weight {{ type force; part block; value ({load[0]!r} 0 {load[2]!r}); }}",
         initial=f"v {{ type velocity; part block; value ({velocity[0]!r} {velocity[1]!r} 0); }}",
         pairs=f"blockFloor {{ contactor block.zMin; target floor.zMax; friction {friction}; "
-              "normalScale 1; tangentialScale 1; }",
+              "normalScale 1; tangentialScale 1; normalDamping 0.3; }",
         functions="centre { type point; part block; position (0.05 0.05 0.05); "
                   "fields (displacement velocity); }",
         end=end, rows=2000).all()
@@ -82,7 +82,7 @@ def pad(binaries, marks):
                    f"push {{ type force; part block; value ({push} 0 0); components (x); }}\n"
                    f"press {{ type force; part block; value (0 0 {-normal}); components (z); }}",
         pairs=f"padFloor {{ contactor under; target floor.zMax; friction {friction}; "
-              "normalScale 10; tangentialScale 1; }",
+              "normalScale 10; tangentialScale 1; normalDamping 0.3; }",
         surfaces="under { part block; facing (0 0 -1); }",
         functions="pad { type point; part block; position (1 0.5 0.5); fields (displacement); }",
         end=10.0, rows=5000)
