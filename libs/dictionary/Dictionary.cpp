@@ -82,6 +82,13 @@ bool Dictionary::isDictionary(std::string_view key) const
     return entry != nullptr && entry->isDictionary();
 }
 
+bool Dictionary::isList(std::string_view key) const
+{
+    const auto* entry = node_->ask(key);
+    return entry != nullptr && !entry->values.empty()
+           && entry->values.front().kind == TokenKind::openBracket;
+}
+
 std::vector<std::string> Dictionary::keys() const
 {
     std::vector<std::string> result;

@@ -44,6 +44,7 @@ public:
 
     bool has(std::string_view key) const;
     bool isDictionary(std::string_view key) const; ///< present, and a `{ ... }`
+    bool isList(std::string_view key) const;       ///< present, and its values begin with a bracket
     std::vector<std::string> keys() const; ///< in file order, without the top's FoamFile and user
     /// Every entry below, in file order: "pairs.rodLayer1.friction". Marks nothing as used.
     std::vector<std::string> keyPaths() const;

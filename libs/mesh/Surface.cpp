@@ -24,20 +24,24 @@ Point areaVector(const Mesh& mesh, const ElementSide& side)
 }
 
 /// All sides of a part sorted by their lowest node (counting sort), for short searches below.
-std::vector<SideOfNodes>
-sidesByLowestNode(const Mesh& mesh, const MeshPart& part, std::vector<std::size_t>& starts)
+std::vector<SideOfNodes> sidesByLowestNode(const Mesh& mesh,
+                                           const MeshPart& part,
+                                           const std::vector<bool>& absent,
+                                           std::vector<std::size_t>& starts)
 {
     starts.assign(mesh.points.size() + 1, 0);
     std::vector<SideOfNodes> sides;
     sides.reserve(6 * std::size_t(part.elementCount));
     for (Index element = part.firstElement; element < part.firstElement + part.elementCount;
-         ++element)
+         ++element) {
+        if (!absent.empty() && absent[std::size_t(element)]) continue;
         for (Index side = 0; side < 6; ++side) {
             Quad nodes = mesh.sideNodes({element, side});
             std::ranges::sort(nodes);
             sides.push_back({nodes, {element, side}});
             ++starts[std::size_t(nodes[0]) + 1];
         }
+    }
     for (std::size_t node = 1; node < starts.size(); ++node) starts[node] += starts[node - 1];
     std::vector<SideOfNodes> sorted(sides.size());
     std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
@@ -47,10 +51,10 @@ sidesByLowestNode(const Mesh& mesh, const MeshPart& part, std::vector<std::size_
 
 } // namespace
 
-std::vector<ElementSide> skin(const Mesh& mesh, Index part)
+std::vector<ElementSide> skin(const Mesh& mesh, Index part, const std::vector<bool>& absent)
 {
     std::vector<std::size_t> starts;
-    auto sides = sidesByLowestNode(mesh, mesh.parts[std::size_t(part)], starts);
+    auto sides = sidesByLowestNode(mesh, mesh.parts[std::size_t(part)], absent, starts);
     std::vector<ElementSide> outer;
     for (std::size_t node = 0; node + 1 < starts.size(); ++node) {
         const auto group = std::span(sides).subspan(starts[node], starts[node + 1] - starts[node]);

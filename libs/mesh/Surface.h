@@ -6,8 +6,9 @@
 
 namespace fpm {
 
-/// Outer sides of a part: sides that belong to one of its elements only, ascending.
-std::vector<ElementSide> skin(const Mesh& mesh, Index part);
+/// Outer sides of a part: sides that belong to one of its elements only, ascending. `absent`: of
+/// every element, whether it counts as not there; empty: all are there.
+std::vector<ElementSide> skin(const Mesh& mesh, Index part, const std::vector<bool>& absent = {});
 /// Nodes on the given sides, ascending, each once.
 std::vector<Index> nodesOf(const Mesh& mesh, std::span<const ElementSide> sides);
 Point centre(const Mesh& mesh, const ElementSide& side);

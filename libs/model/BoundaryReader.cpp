@@ -6,134 +6,206 @@
 #include "model/PointAlgebra.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fpm {
 
 namespace {
 
-const std::vector<std::string> axes{"x", "y", "z"};
+using Kind = BoundaryCondition::Kind;
+
+const std::vector<std::string> axisNames{"x", "y", "z"};
 
 std::size_t axisOf(const std::string& name)
 {
-    return std::size_t(std::find(axes.begin(), axes.end(), name) - axes.begin());
+    return std::size_t(std::find(axisNames.begin(), axisNames.end(), name) - axisNames.begin());
 }
 
-std::vector<Index> nodesOfSet(const Dictionary& entry, const Mesh& mesh)
+std::array<bool, 3> readComponents(const Dictionary& entry, const char* key, bool preset)
 {
-    const std::string name = entry.word("set");
-    std::vector<Index> nodes;
-    if (const auto found = mesh.nodeSets.find(name); found != mesh.nodeSets.end()) {
-        nodes = found->second;
-    } else if (const auto sides = mesh.sideSets.find(name); sides != mesh.sideSets.end()) {
-        nodes = nodesOf(mesh, sides->second);
-    } else {
-        std::vector<std::string> names = keysOf(mesh.nodeSets);
-        for (const std::string& side : keysOf(mesh.sideSets)) names.push_back(side);
-        entry.fail("set", "the mesh has no set '" + name + "'",
-                   nameAdvice(name, names, "sets of the mesh"));
-    }
-    if (nodes.empty())
-        entry.fail("set", "set '" + name + "' is empty", "change it in system/meshDict");
-    return nodes;
-}
-
-std::array<bool, 3> readComponents(const Dictionary& entry)
-{
-    if (!entry.has("components")) return {true, true, true};
+    if (!entry.has(key)) return {preset, preset, preset};
     std::array<bool, 3> components{false, false, false};
-    for (const std::string& word : entry.words("components")) {
+    for (const std::string& word : entry.words(key)) {
         const std::size_t axis = axisOf(word);
-        if (axis == 3)
-            entry.fail("components", "unknown component '" + word + "'", "valid: x, y, z");
-        if (components[axis]) entry.fail("components", "component '" + word + "' is given twice");
+        if (axis == 3) entry.fail(key, "unknown component '" + word + "'", "valid: x, y, z");
+        if (components[axis]) entry.fail(key, "component '" + word + "' is given twice");
         components[axis] = true;
     }
     if (components == std::array{false, false, false})
-        entry.fail("components", "no component is given", "leave the entry out for all three");
+        entry.fail(key, "no component is given", "leave the entry out for all three");
     return components;
 }
 
-BoundaryCondition::Kind kindOf(const std::string& type)
+Point unit(const Dictionary& entry, const char* key, const Point& direction)
 {
-    using Kind = BoundaryCondition::Kind;
+    const double size = length(direction);
+    if (!(size > 0) || !std::isfinite(size))
+        entry.fail(key, "a direction of '" + std::string(key) + "' has no length",
+                   "give a vector such as (1 1 0)");
+    return along({0, 0, 0}, 1 / size, direction);
+}
+
+/// Orthonormal axes with the given first and second; `second` need only lean that way.
+Axes axesFrom(const Point& first, const Point& second)
+{
+    Axes axes{};
+    axes[0] = first;
+    axes[1] = along(second, -dot(first, second), first);
+    axes[1] = along({0, 0, 0}, 1 / length(axes[1]), axes[1]);
+    axes[2] = vector::cross(axes[0], axes[1]);
+    return axes;
+}
+
+/// `axes ((1 1 0) (-1 1 0))`: the local x and y; z completes them.
+Axes readAxes(const Dictionary& entry)
+{
+    if (!entry.has("axes")) return globalAxes;
+    const auto rows = entry.rows("axes", 3);
+    if (rows.size() != 2)
+        entry.fail("axes", format("'axes' has {} directions, not 2", rows.size()),
+                   "give the local x and y, such as: axes ((1 1 0) (-1 1 0));");
+    const Point x = unit(entry, "axes", {rows[0][0], rows[0][1], rows[0][2]});
+    const Point y = unit(entry, "axes", {rows[1][0], rows[1][1], rows[1][2]});
+    if (std::abs(dot(x, y)) > 1e-6)
+        entry.fail("axes", "the two directions are not perpendicular",
+                   "their scalar product must be 0");
+    return axesFrom(x, y);
+}
+
+/// A word for a coordinate axis, or a vector; held is the first of the condition's axes.
+void readNormal(const Dictionary& entry, BoundaryCondition& condition)
+{
+    if (!entry.isList("normal")) {
+        condition.constrains[axisOf(entry.choice("normal", axisNames))] = true;
+        return;
+    }
+    const Point normal = unit(entry, "normal", entry.vector("normal"));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (std::abs(normal[axis]) == 1) {
+            condition.constrains[axis] = true;
+            return;
+        }
+    // The other two axes are free: any will do.
+    const bool leansX = std::abs(normal[0]) > 0.7;
+    condition.axes = axesFrom(normal, leansX ? Point{0, 1, 0} : Point{1, 0, 0});
+    condition.constrains[0] = true;
+}
+
+/// Of a rigidFree part rotations can be held too: what is listed is held; all where nothing is.
+void readHeld(const Dictionary& entry, BoundaryCondition& condition)
+{
+    const bool listed = entry.has("components") || entry.has("rotations");
+    condition.constrains = readComponents(entry, "components", !listed || !entry.has("rotations"));
+    condition.turns = readComponents(entry, "rotations", !listed);
+    condition.axes = readAxes(entry);
+}
+
+Kind kindOf(const std::string& type)
+{
     if (type == "velocity") return Kind::velocity;
     if (type == "displacement") return Kind::displacement;
+    if (type == "rotation") return Kind::rotation;
     if (type == "force") return Kind::force;
+    if (type == "traction") return Kind::traction;
+    if (type == "pressure") return Kind::pressure;
+    if (type == "gravity") return Kind::gravity;
     return Kind::fixed; // also symmetry: its normal component held
 }
 
-/// A displacement that is not 0 at the start would be an infinite velocity.
-void refuseJump(const Dictionary& entry, const BoundaryCondition& condition)
+void readTurn(const Dictionary& entry, BoundaryCondition& condition)
 {
-    const double start = condition.amplitude(0) * length(condition.value);
-    if (condition.kind == BoundaryCondition::Kind::displacement && start != 0)
-        entry.fail(entry.has("amplitude") ? "amplitude" : "value",
-                   "the displacement would jump by " + toText(start, 6) + " at time 0",
-                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
+    condition.constrains = {true, true, true};
+    condition.line = {entry.vector("centre"), unit(entry, "axis", entry.vector("axis"))};
+    condition.angle = entry.number("angle");
+    condition.amplitude = readAmplitude(entry);
+    refuseJump(entry, "rotation", "angle", condition.amplitude(0) * condition.angle);
+}
+
+/// Value, components and axes of what drives or loads.
+void readValue(const Dictionary& entry, BoundaryCondition& condition)
+{
+    condition.constrains = readComponents(entry, "components", true);
+    condition.axes = readAxes(entry);
+    condition.value = entry.vector("value");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!condition.constrains[axis] && condition.value[axis] != 0)
+            entry.fail("value",
+                       "component " + axisNames[axis] + " has the value "
+                           + toText(condition.value[axis], 6) + " but is not in 'components'",
+                       "add " + axisNames[axis] + " to components, or give it the value 0");
+    condition.amplitude = readAmplitude(entry);
+    if (condition.kind == Kind::displacement)
+        refuseJump(entry, "displacement", "value",
+                   condition.amplitude(0) * length(condition.value));
+}
+
+/// What is loaded: sides, parts or nodes.
+void readLoadPlace(const Dictionary& entry, const Mesh& mesh, BoundaryCondition& condition)
+{
+    if (condition.kind == Kind::gravity) {
+        condition.parts = selectParts(entry, mesh);
+        for (const Index part : condition.parts) {
+            const std::vector<Index> nodes = nodesOfPart(mesh, part);
+            condition.nodes.insert(condition.nodes.end(), nodes.begin(), nodes.end());
+        }
+        std::sort(condition.nodes.begin(), condition.nodes.end());
+        const auto last = std::unique(condition.nodes.begin(), condition.nodes.end());
+        condition.nodes.erase(last, condition.nodes.end());
+        return;
+    }
+    if (condition.kind == Kind::force
+        && entry.choiceOr("distribution", "equal", {"equal", "area"}) == "equal") {
+        condition.nodes = selectNodes(entry, mesh);
+        return;
+    }
+    condition.sides = selectSides(entry, mesh);
+    condition.nodes = nodesOf(mesh, condition.sides);
+    if (condition.nodes.empty())
+        entry.fail("set", "set '" + entry.word("set") + "' is empty",
+                   "change it in system/meshDict");
+}
+
+void readLoad(const Dictionary& entry, const Mesh& mesh, BoundaryCondition& condition)
+{
+    readLoadPlace(entry, mesh, condition);
+    if (condition.kind == Kind::pressure) {
+        condition.constrains = {true, true, true};
+        condition.value = {entry.number("value"), 0, 0};
+        condition.amplitude = readAmplitude(entry);
+    } else if (condition.kind == Kind::gravity) {
+        condition.constrains = {true, true, true};
+        condition.value = entry.vector("value");
+        condition.amplitude = readAmplitude(entry);
+    } else
+        readValue(entry, condition);
 }
 
 BoundaryCondition readCondition(const Dictionary& entry, const std::string& name, const Mesh& mesh)
 {
     const std::string type =
-        entry.choice("type", {"fixed", "symmetry", "velocity", "displacement", "force"});
+        entry.choice("type", {"fixed", "symmetry", "displacement", "velocity", "rotation", "force",
+                              "traction", "pressure", "gravity"});
     BoundaryCondition condition;
     condition.name = name;
     condition.kind = kindOf(type);
-    condition.nodes = selectNodes(entry, mesh);
-    if (type == "symmetry") {
-        condition.constrains[axisOf(entry.choice("normal", axes))] = true;
+    if (condition.isLoad()) {
+        readLoad(entry, mesh, condition);
         return condition;
     }
-    condition.constrains = readComponents(entry);
-    if (type == "fixed") return condition;
-
-    condition.value = entry.vector("value");
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!condition.constrains[axis] && condition.value[axis] != 0)
-            entry.fail("value",
-                       "component " + axes[axis] + " has the value "
-                           + toText(condition.value[axis], 6) + " but is not in 'components'",
-                       "add " + axes[axis] + " to components, or give it the value 0");
-    condition.amplitude = readAmplitude(entry);
-    refuseJump(entry, condition);
+    condition.nodes = selectNodes(entry, mesh);
+    if (entry.has("part")) condition.part = mesh.findPart(entry.word("part"));
+    if (type == "symmetry")
+        readNormal(entry, condition);
+    else if (type == "fixed")
+        readHeld(entry, condition);
+    else if (type == "rotation")
+        readTurn(entry, condition);
+    else
+        readValue(entry, condition);
     return condition;
 }
 
 } // namespace
-
-std::vector<Index> nodesOfPart(const Mesh& mesh, Index part)
-{
-    const MeshPart& run = mesh.parts[std::size_t(part)];
-    std::vector<Index> nodes;
-    nodes.reserve(std::size_t(run.elementCount) * 8);
-    for (Index element = run.firstElement; element < run.firstElement + run.elementCount; ++element)
-        for (const Index node : mesh.hexahedra[std::size_t(element)]) nodes.push_back(node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
-}
-
-std::vector<Index> nodesOfNamedPart(const Dictionary& entry, const Mesh& mesh)
-{
-    const std::string name = entry.word("part");
-    const Index part = mesh.findPart(name);
-    if (part >= 0) return nodesOfPart(mesh, part);
-    std::vector<std::string> names;
-    for (const MeshPart& candidate : mesh.parts) names.push_back(candidate.name);
-    entry.fail("part", "the mesh has no part '" + name + "'",
-               nameAdvice(name, names, "parts of the mesh"));
-}
-
-std::vector<Index> selectNodes(const Dictionary& entry, const Mesh& mesh)
-{
-    const bool bySet = entry.has("set");
-    const bool byPart = entry.has("part");
-    if (bySet && byPart)
-        entry.fail("part", "both 'set' and 'part' are given", "keep the one that is meant");
-    if (!bySet && !byPart)
-        entry.fail("set", "no nodes are named", "add 'set <set of the mesh>;' or 'part <part>;'");
-    return bySet ? nodesOfSet(entry, mesh) : nodesOfNamedPart(entry, mesh);
-}
 
 Amplitude readAmplitude(const Dictionary& entry)
 {
@@ -159,6 +231,17 @@ Amplitude readAmplitude(const Dictionary& entry)
     return amplitude;
 }
 
+void refuseJump(const Dictionary& entry,
+                const std::string& what,
+                const std::string& key,
+                double size)
+{
+    if (size != 0)
+        entry.fail(entry.has("amplitude") ? "amplitude" : key,
+                   format("the {} would jump by {} at time 0", what, toText(size, 6)),
+                   "let it grow from 0, such as: amplitude smooth ((0 0) (1e-3 1));");
+}
+
 std::vector<BoundaryCondition> readBoundaryConditions(const Dictionary& dictionary,
                                                       const Mesh& mesh)
 {
@@ -167,30 +250,6 @@ std::vector<BoundaryCondition> readBoundaryConditions(const Dictionary& dictiona
         conditions.push_back(readCondition(dictionary.sub(name), name, mesh));
     dictionary.requireAllUsed();
     return conditions;
-}
-
-std::vector<InitialVelocity> readInitialVelocities(const Dictionary& dictionary, const Mesh& mesh)
-{
-    std::vector<InitialVelocity> velocities;
-    std::vector<int> giver(mesh.points.size(), -1);
-    for (const std::string& name : dictionary.keys()) {
-        const Dictionary entry = dictionary.sub(name);
-        entry.choice("type", {"velocity"});
-        const int number = int(velocities.size());
-        velocities.push_back({name, selectNodes(entry, mesh), entry.vector("value")});
-        for (const Index node : velocities.back().nodes) {
-            int& earlier = giver[std::size_t(node)];
-            if (earlier >= 0
-                && velocities[std::size_t(earlier)].velocity != velocities.back().velocity)
-                entry.fail("value",
-                           format("node {} already has another velocity from '{}'", node,
-                                  velocities[std::size_t(earlier)].name),
-                           "let the two entries address different nodes");
-            earlier = number;
-        }
-    }
-    dictionary.requireAllUsed();
-    return velocities;
 }
 
 } // namespace fpm

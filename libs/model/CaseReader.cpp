@@ -76,7 +76,7 @@ void checkUnits(const std::vector<Part>& parts, const std::array<std::string, 3>
 {
     const double toSi = metresPerSecond(units);
     for (const Part& part : parts) {
-        if (part.kind == PartKind::rigid) continue;
+        if (isRigid(part.kind)) continue;
         const double speed = waveSpeed(part) * toSi;
         if (speed >= 50 && speed <= 20000) continue;
         log.warning(format(

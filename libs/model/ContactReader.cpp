@@ -1,6 +1,7 @@
 #include "model/ContactReader.h"
 
 #include "base/Format.h"
+#include "model/ContactLawReader.h"
 #include "model/Names.h"
 #include "model/PointAlgebra.h"
 
@@ -75,14 +76,11 @@ SurfaceEntry readSurface(const Dictionary& entry, const std::string& name)
 
 PairEntry readPair(const Dictionary& entry, const std::string& name)
 {
-    const Range scale{0, 100, true, false};
     PairEntry pair;
     pair.name = name;
     pair.contactor = entry.word("contactor");
     pair.target = entry.word("target");
-    pair.friction = entry.numberOr("friction", 0.0, nonNegative());
-    pair.normalScale = entry.numberOr("normalScale", 1.0, scale);
-    pair.tangentialScale = entry.numberOr("tangentialScale", 0.1, scale);
+    static_cast<ContactLaw&>(pair) = readContactLaw(entry);
     pair.search = entry.choiceOr("search", "faces", {"faces", "closestParticle"}) == "faces"
                       ? ContactSearch::faces
                       : ContactSearch::closestParticle;
@@ -112,8 +110,13 @@ ContactEntries readContactEntries(const Dictionary& contactDict)
 {
     ContactEntries entries;
     const Dictionary surfaces = contactDict.subOrEmpty("surfaces");
-    for (const std::string& name : surfaces.keys())
-        entries.surfaces.push_back(readSurface(surfaces.sub(name), name));
+    for (const std::string& name : surfaces.keys()) {
+        const Dictionary entry = surfaces.sub(name);
+        if (entry.has("type"))
+            entries.rigidSurfaces.push_back(readRigidSurface(entry, name));
+        else
+            entries.surfaces.push_back(readSurface(entry, name));
+    }
 
     const Dictionary pairs = contactDict.sub("pairs");
     for (const std::string& name : pairs.keys()) {
@@ -124,6 +127,13 @@ ContactEntries readContactEntries(const Dictionary& contactDict)
     }
     contactDict.requireAllUsed();
     return entries;
+}
+
+Index ContactEntries::rigidSurface(const std::string& name) const
+{
+    for (std::size_t i = 0; i < rigidSurfaces.size(); ++i)
+        if (rigidSurfaces[i].name == name) return Index(i);
+    return -1;
 }
 
 std::string surfaceText(const ContactEntries& entries)
@@ -141,7 +151,8 @@ std::string surfaceText(const ContactEntries& entries)
         text += "\n";
     }
     for (const PairEntry& pair : entries.pairs)
-        text += format("pair {} {} {}\n", pair.name, pair.contactor, pair.target);
+        text += format("pair {} {} {}{}\n", pair.name, pair.contactor, pair.target,
+                       entries.rigidSurface(pair.target) >= 0 ? " analytic" : "");
     return text;
 }
 

@@ -24,16 +24,17 @@ struct SurfaceEntry {
 };
 
 /// system/contactDict, pairs, one entry.
-struct PairEntry {
+struct PairEntry : ContactLaw {
     std::string name;
-    std::string contactor, target; ///< a surface, a part or a side set
-    double friction = 0, normalScale = 1, tangentialScale = 0.1;
+    std::string contactor, target; ///< a surface, a part or a side set; target also analytic
     ContactSearch search = ContactSearch::faces;
 };
 
 struct ContactEntries {
     std::vector<SurfaceEntry> surfaces;
+    std::vector<RigidSurface> rigidSurfaces;
     std::vector<PairEntry> pairs;
+    Index rigidSurface(const std::string& name) const; ///< its number, -1: none of that name
 };
 ContactEntries readContactEntries(const Dictionary& contactDict);
 

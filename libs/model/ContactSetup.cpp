@@ -9,6 +9,7 @@
 #include "model/PartReader.h"
 #include "model/PointAlgebra.h"
 #include "model/RigidContact.h"
+#include "model/SurfaceReport.h"
 
 #include <algorithm>
 #include <charconv>
@@ -66,9 +67,15 @@ void setContact(Mesh& mesh, const Dictionary& contactDict, const Case& theCase, 
         ContactSurfaces surfaces;
         surfaces.pair = entry.name;
         surfaces.contactorSides = contactSides(mesh, entries, entry, "contactor", contactDict);
-        surfaces.targetSides = contactSides(mesh, entries, entry, "target", contactDict);
-        surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
         const Dictionary place = contactDict.sub("pairs").sub(entry.name);
+        surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
+        if (const Index surface = entries.rigidSurface(entry.target); surface >= 0) {
+            refuseRigidContactor(mesh, surfaces, rigid, place);
+            reportSurfaceContact(mesh, surfaces, entries.rigidSurfaces[std::size_t(surface)], log);
+            pairs.push_back(std::move(surfaces));
+            continue;
+        }
+        surfaces.targetSides = contactSides(mesh, entries, entry, "target", contactDict);
         refuseRigidPair(mesh, surfaces, rigid, place);
         refuseOwnTargets(mesh, surfaces, place);
         reportContact(mesh, surfaces, measureContact(mesh, surfaces), log);

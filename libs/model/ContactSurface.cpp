@@ -88,12 +88,16 @@ std::vector<ElementSide> contactSides(const Mesh& mesh,
     if (const Index part = mesh.findPart(name); part >= 0) return skin(mesh, part);
 
     const Dictionary place = contactDict.sub("pairs").sub(pair.name);
+    if (entries.rigidSurface(name) >= 0)
+        place.fail(key, "'" + name + "' is an analytic surface: it has no nodes of its own",
+                   "let it be the target, and the body the contactor");
     if (const auto set = mesh.sideSets.find(name); set != mesh.sideSets.end()) {
         if (set->second.empty()) place.fail(key, "side set '" + name + "' is empty");
         return set->second;
     }
     std::vector<std::string> names;
     for (const SurfaceEntry& surface : entries.surfaces) names.push_back(surface.name);
+    for (const RigidSurface& surface : entries.rigidSurfaces) names.push_back(surface.name);
     for (const std::string& part : partNames(mesh)) names.push_back(part);
     for (const std::string& set : keysOf(mesh.sideSets)) names.push_back(set);
     place.fail(key, "no surface, part or side set is called '" + name + "'",

@@ -4,6 +4,8 @@
 #include "dictionary/Suggestion.h"
 #include "model/Names.h"
 
+#include <algorithm>
+
 namespace fpm {
 
 namespace {
@@ -60,6 +62,18 @@ void readEnergyBalance(const Dictionary& balance, Control& control)
                          + " is less than warning " + toText(control.energyWarning, 6));
 }
 
+/// Both are off unless they are given.
+void readQuasiStatic(const Dictionary& dictionary, Control& control)
+{
+    const Dictionary rest = dictionary.subOrEmpty("quasiStatic"),
+                     relaxation = dictionary.subOrEmpty("dynamicRelaxation");
+    const double share = rest.numberOr("kineticShare", 0.05, positive());
+    control.quasiStaticAfter = rest.numberOr("after", control.endTime / 10, nonNegative());
+    if (dictionary.has("quasiStatic")) control.kineticShare = share;
+    const double tolerance = relaxation.numberOr("tolerance", 1e-3, {0, 1, true, true});
+    if (dictionary.has("dynamicRelaxation")) control.relaxationTolerance = tolerance;
+}
+
 void readMachine(const Dictionary& dictionary, Control& control)
 {
     control.backend = dictionary.choiceOr("backend", "openmp", {"serial", "openmp", "cuda"});
@@ -85,11 +99,32 @@ Control readControl(const Dictionary& dictionary, Log& log)
         dictionary.numberOr("historyInterval", control.endTime / 1000, nonNegative());
     readTimeStep(dictionary.subOrEmpty("timeStep"), control);
     control.massDamping = dictionary.numberOr("massDamping", 0.0, nonNegative());
+    readQuasiStatic(dictionary, control);
     readEnergyBalance(dictionary.subOrEmpty("energyBalance"), control);
     readMachine(dictionary, control);
     control.midStepStrain =
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
     return control;
+}
+
+void readMassScaling(const Dictionary& dictionary, std::vector<Part>& parts)
+{
+    const Dictionary scaling = dictionary.subOrEmpty("massScaling");
+    const double factor = scaling.numberOr("factor", 1.0, {1, 1e12, false, false}),
+                 targetStep = scaling.numberOr("targetStep", 0.0, nonNegative());
+    std::vector<std::string> names;
+    for (const Part& part : parts)
+        if (!isRigid(part.kind)) names.push_back(part.name);
+    const std::vector<std::string> chosen = scaling.has("parts") ? scaling.words("parts") : names;
+    for (const std::string& name : chosen)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            scaling.fail("parts", "no part '" + name + "' with elements that take part",
+                         nameAdvice(name, names, "parts that are not rigid"));
+    for (Part& part : parts) {
+        if (std::find(chosen.begin(), chosen.end(), part.name) == chosen.end()) continue;
+        part.massFactor = factor;
+        part.targetStep = targetStep;
+    }
 }
 
 } // namespace fpm

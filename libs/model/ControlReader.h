@@ -10,10 +10,11 @@ namespace fpm {
 /// are accepted and named in the log; values that would mean something else are refused.
 Control readControl(const Dictionary& dictionary, Log& log);
 
-/// system/controlDict, functions { ... }: a point's node and a reaction's nodes are resolved.
-std::vector<History> readHistories(const Dictionary& dictionary,
-                                   const Mesh& mesh,
-                                   const std::vector<BoundaryCondition>& conditions,
-                                   Log& log);
+/// system/controlDict, massScaling: into the parts it is for.
+void readMassScaling(const Dictionary& dictionary, std::vector<Part>& parts);
+
+/// system/controlDict, functions { ... }: a point's node and a reaction's nodes are resolved
+/// against the mesh, parts, conditions and surfaces of `model`.
+std::vector<History> readHistories(const Dictionary& dictionary, const Model& model, Log& log);
 
 } // namespace fpm

@@ -77,31 +77,57 @@ void readPoint(const Dictionary& entry, const Mesh& mesh, History& history, Log&
     if (history.fields.empty()) entry.fail("fields", "no field is given");
 }
 
-void readReaction(const Dictionary& entry,
-                  const std::vector<BoundaryCondition>& conditions,
-                  History& history)
+void readReactionOfSurface(const Dictionary& entry, const Model& model, History& history)
 {
+    const std::string name = entry.word("surface");
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < model.rigidSurfaces.size(); ++i) {
+        names.push_back(model.rigidSurfaces[i].name);
+        if (names.back() == name) history.surface = Index(i);
+    }
+    if (history.surface < 0)
+        entry.fail("surface", "no analytic surface '" + name + "'",
+                   nameAdvice(name, names, "surfaces with a type in system/contactDict"));
+}
+
+void readReaction(const Dictionary& entry, const Model& model, History& history)
+{
+    history.factor = entry.numberOr("factor", 1.0, positive());
+    const bool ofSurface = entry.has("surface");
+    if (ofSurface && entry.has("condition"))
+        entry.fail("surface", "both 'condition' and 'surface' are given",
+                   "keep the one that is meant");
+    if (ofSurface) return readReactionOfSurface(entry, model, history);
     const std::string name = entry.word("condition");
     std::vector<std::string> names;
-    for (const BoundaryCondition& condition : conditions) {
+    for (std::size_t i = 0; i < model.boundaryConditions.size(); ++i) {
+        const BoundaryCondition& condition = model.boundaryConditions[i];
         names.push_back(condition.name);
         if (condition.name != name) continue;
-        if (condition.kind == BoundaryCondition::Kind::force)
+        if (condition.isLoad())
             entry.fail("condition",
-                       "'" + name + "' is a force; only what is held or driven has a reaction");
+                       "'" + name + "' is a load; only what is held or driven has a reaction");
         history.nodes = condition.nodes;
+        history.condition = Index(i);
         return;
     }
     entry.fail("condition", "no boundary condition '" + name + "'",
                nameAdvice(name, names, "conditions in constant/boundaryConditions"));
 }
 
+void readBody(const Dictionary& entry, const Model& model, History& history)
+{
+    nodesOfNamedPart(entry, model.mesh); // refuses an unknown part
+    const std::string name = entry.word("part");
+    history.part = model.mesh.findPart(name);
+    if (model.parts[std::size_t(history.part)].kind != PartKind::rigidFree)
+        entry.fail("part", "part '" + name + "' is not rigidFree",
+                   "a reaction or a point tells how other parts move");
+}
+
 } // namespace
 
-std::vector<History> readHistories(const Dictionary& dictionary,
-                                   const Mesh& mesh,
-                                   const std::vector<BoundaryCondition>& conditions,
-                                   Log& log)
+std::vector<History> readHistories(const Dictionary& dictionary, const Model& model, Log& log)
 {
     std::vector<History> histories;
     const Dictionary functions = dictionary.subOrEmpty("functions");
@@ -114,14 +140,17 @@ std::vector<History> readHistories(const Dictionary& dictionary,
         History history;
         history.name = name;
         const std::string type =
-            entry.choice("type", {"energies", "contactForces", "point", "reaction"});
+            entry.choice("type", {"energies", "contactForces", "point", "reaction", "rigidBody"});
         if (type == "contactForces") history.kind = History::Kind::contactForces;
         if (type == "point") {
             history.kind = History::Kind::point;
-            readPoint(entry, mesh, history, log);
+            readPoint(entry, model.mesh, history, log);
         } else if (type == "reaction") {
             history.kind = History::Kind::reaction;
-            readReaction(entry, conditions, history);
+            readReaction(entry, model, history);
+        } else if (type == "rigidBody") {
+            history.kind = History::Kind::rigidBody;
+            readBody(entry, model, history);
         }
         histories.push_back(history);
     }

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "mesh/Mesh.h"
+#include "model/BoundaryCondition.h"
+#include "model/ContactLaw.h"
+#include "model/RigidSurface.h"
 
 #include <array>
 #include <limits>
@@ -9,15 +12,54 @@
 
 namespace fpm {
 
-enum class PartKind { elastic, elastoplastic, rigid };
+enum class PartKind { elastic, elastoplastic, rigidPrescribed, rigidFree };
+/// No elements are worked: the part moves as a whole.
+constexpr bool isRigid(PartKind kind)
+{
+    return kind == PartKind::rigidPrescribed || kind == PartKind::rigidFree;
+}
 /// How the rigid rotation of a step is taken out of an element.
 enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
+/// One integration point with hourglass control, or eight with the mean dilatation (B-bar).
+enum class HexahedronForm { reduced, selective };
 enum class HourglassForm { stiffness, viscous, physical };
-enum class HourglassPlastic { elastic, coupled }; ///< physical form when the section yields
+/// Physical form when the section yields.
+enum class HourglassPlastic { elastic, coupled, tangent };
+enum class RateDependence { none, cowperSymonds, johnsonCook };
+
+inline constexpr std::size_t mostHardeningRows = 32; ///< of a part
 
 struct Hardening {
     double equivalentPlasticStrain; ///< [-], ascending, first 0
     double yieldStress;             ///< [stress], last slope continues
+};
+
+/// Mass properties of a rigidFree part where they are given, not taken from mesh and density.
+struct GivenInertia {
+    double mass = 0; ///< 0: from the mesh
+    bool hasCentre = false, hasInertia = false;
+    Point centre{0, 0, 0};
+    std::array<double, 6> inertia{}; ///< about the centre: xx yy zz xy yz zx, xy = -sum m x y
+};
+
+/// Yield stress beyond its hardening rows, and what becomes of plastic work; all off by default.
+struct Flow {
+    double kinematicModulus = 0;                ///< H_k, Prager's rule [stress]
+    double powerModulus = 0, powerExponent = 0; ///< B, n of Johnson and Cook
+    RateDependence rate = RateDependence::none;
+    double referenceRate = 0;   ///< Cowper-Symonds D, Johnson-Cook rate0 [1/time]
+    double rateCoefficient = 0; ///< 1/p, C
+    double softeningExponent = 0, meltingTemperature = 0, roomTemperature = 293; ///< m of 1 - T*^m
+    double heatFraction = 0, specificHeat = 0; ///< Taylor-Quinney; [energy/(mass temperature)]
+    double temperature = 293;                  ///< at the start
+    bool operator==(const Flow&) const = default;
+};
+
+/// When elements of a part are deleted.
+struct ElementErosion {
+    double plasticStrain = 0; ///< > 0: beyond this equivalent plastic strain
+    bool inverted = false;    ///< when an element turns inside out
+    bool any() const { return plasticStrain > 0 || inverted; }
 };
 
 /// constant/partProperties, one part.
@@ -27,50 +69,28 @@ struct Part {
     double density = 0;       ///< [mass/length^3]
     double youngsModulus = 0; ///< [stress]
     double poissonsRatio = 0;
-    RotationForm rotation = RotationForm::midSurface;
+    HexahedronForm hexahedron = HexahedronForm::reduced;
+    RotationForm rotation = RotationForm::midSurface; ///< selective: always hughesWinget
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
+    Flow flow;
+    ElementErosion erosion;
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;
+    GivenInertia inertia; ///< rigidFree
     double linearBulkViscosity = 0.06, quadraticBulkViscosity = 1.2;
-};
-
-/// A factor over time: constant 1, a table (linear between rows, held outside), or a smooth step
-/// tau^3 (10 - 15 tau + 6 tau^2) from row to row (method of Abaqus' smooth amplitude).
-struct Amplitude {
-    enum class Kind { constant, table, smooth } kind = Kind::constant;
-    std::vector<std::array<double, 2>> rows{{0.0, 1.0}}; ///< time, factor
-    double operator()(double time) const;
-    bool operator==(const Amplitude&) const = default;
-};
-
-/// constant/boundaryConditions, one entry, its set resolved to nodes.
-struct BoundaryCondition {
-    enum class Kind { fixed, displacement, velocity, force } kind = Kind::fixed;
-    std::string name;
-    std::vector<Index> nodes;                            ///< ascending
-    std::array<bool, 3> constrains{false, false, false}; ///< components held or driven
-    /// Displacement, velocity, or total force shared equally by the nodes.
-    Point value{0, 0, 0};
-    Amplitude amplitude;
-};
-
-/// 0/initialConditions, one entry.
-struct InitialVelocity {
-    std::string name;
-    std::vector<Index> nodes;
-    Point velocity;
+    double massFactor = 1; ///< mass scaling: of every element
+    double targetStep = 0; ///< mass scaling: stable step no element stays below, 0: none [time]
 };
 
 enum class ContactSearch { faces, closestParticle };
 
 /// system/contactDict, one pair; surfaces as in the mesh.
-struct ContactPair {
+struct ContactPair : ContactLaw {
     std::string name;
     std::vector<Index> contactorNodes;
-    std::vector<ElementSide> targetSides;
-    double friction = 0;                           ///< Coulomb coefficient
-    double normalScale = 1, tangentialScale = 0.1; ///< s_n, s_t: k = s K A^2 / V
+    std::vector<ElementSide> targetSides; ///< empty where an analytic surface is the target
+    Index surface = -1;                   ///< that surface, in Model::rigidSurfaces
     ContactSearch search = ContactSearch::faces;
 };
 
@@ -78,22 +98,28 @@ enum class Precision { double_, mixed, single };
 
 /// A history of the run: controlDict, functions { ... }.
 struct History {
-    enum class Kind { energies, contactForces, point, reaction } kind = Kind::energies;
-    std::string name;         ///< folder under postProcessing
-    Index node = -1;          ///< point: nearest node of `part` to `position`
-    std::vector<Index> nodes; ///< reaction: constrained nodes of a boundary condition
+    enum class Kind { energies, contactForces, point, reaction, rigidBody } kind = Kind::energies;
+    std::string name;                   ///< folder under postProcessing
+    Index node = -1;                    ///< point: nearest node of `part` to `position`
+    std::vector<Index> nodes;           ///< reaction: constrained nodes of a boundary condition
+    Index condition = -1, surface = -1; ///< reaction: of a boundary condition or analytic surface
+    double factor = 1;                  ///< reaction: of the force, 4 for a quarter model
+    Index part = -1;                    ///< rigidBody
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 
 /// system/controlDict.
 struct Control {
     double endTime = 0;
-    double writeInterval = 0;      ///< time between frames
-    double historyInterval = 0;    ///< time between history rows; 0 = every step
-    double timeStepSafety = 0.9;   ///< of the stability bound
-    double contactStepLimit = 0.5; ///< omega_c dt, the energy-quality bound
-    double fixedTimeStep = 0;      ///< > 0: this step, checked against the bound
-    double massDamping = 0;        ///< xi [1/time], eq. (3)
+    double writeInterval = 0;       ///< time between frames
+    double historyInterval = 0;     ///< time between history rows; 0 = every step
+    double timeStepSafety = 0.9;    ///< of the stability bound
+    double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound
+    double fixedTimeStep = 0;       ///< > 0: this step, checked against the bound
+    double massDamping = 0;         ///< xi [1/time], eq. (3)
+    double kineticShare = 0;        ///< quasi-static: warn beyond this, 0: never
+    double quasiStaticAfter = 0;    ///< start phase without that warning [time]
+    double relaxationTolerance = 0; ///< > 0: dynamic relaxation to rest
     double energyWarning = 0.01, energyStop = 0.05;
     std::string backend = "openmp"; ///< serial openmp cuda
     int threads = 0;                ///< 0 = all cores
@@ -110,7 +136,8 @@ struct Model {
     Mesh mesh;
     std::vector<Part> parts; ///< as mesh.parts
     std::vector<BoundaryCondition> boundaryConditions;
-    std::vector<InitialVelocity> initialVelocities;
+    std::vector<InitialVelocity> initialVelocities; ///< they add up
+    std::vector<RigidSurface> rigidSurfaces;        ///< system/contactDict, surfaces with a type
     std::vector<ContactPair> contactPairs;
     Control control;
 };

@@ -1,99 +1,21 @@
 #include "model/PartReader.h"
 
-#include "base/Format.h"
-#include "dictionary/Suggestion.h"
+#include "model/MaterialReader.h"
 #include "model/Names.h"
-
-#include <algorithm>
 
 namespace fpm {
 
 namespace {
 
-/// A part's own entries, then those of the part it is `like`, and so on.
-using Lineage = std::vector<Dictionary>;
-
-Lineage lineageOf(const Dictionary& parts, const std::string& name)
-{
-    Lineage lineage;
-    std::vector<std::string> names;
-    for (std::string next = name;;) {
-        lineage.push_back(parts.sub(next));
-        names.push_back(next);
-        const Dictionary& entry = lineage.back();
-        if (!entry.has("like")) return lineage;
-        next = entry.word("like");
-        if (!parts.has(next))
-            entry.fail("like", "no part '" + next + "' to be like",
-                       nameAdvice(next, parts.keys(), "entries of parts"));
-        if (std::find(names.begin(), names.end(), next) != names.end())
-            entry.fail("like", "'like' goes round in a circle: " + listed(names) + ", " + next,
-                       "give the entries in one of these parts");
-    }
-}
-
-/// The first of the lineage that has `key`; the part itself when none has.
-const Dictionary& holder(const Lineage& lineage, std::string_view key)
-{
-    for (const Dictionary& entry : lineage)
-        if (entry.has(key)) return entry;
-    return lineage.front();
-}
-
-double number(const Lineage& lineage, std::string_view key, const Range& range)
-{
-    return holder(lineage, key).number(key, range);
-}
-
 PartKind readKind(const Lineage& lineage)
 {
     const std::string word =
-        holder(lineage, "model").choice("model", {"elastic", "elastoplastic", "rigid"});
-    return word == "elastic"         ? PartKind::elastic
-           : word == "elastoplastic" ? PartKind::elastoplastic
-                                     : PartKind::rigid;
-}
-
-std::vector<Hardening> readTable(const Dictionary& entry)
-{
-    for (const char* other : {"yieldStress", "plasticModulus"})
-        if (entry.has(other))
-            entry.fail(other, format("'{}' and 'hardening' both describe the yield stress", other),
-                       "keep one of them");
-    if (entry.leadingWord("hardening") != "table")
-        entry.fail("hardening", "unknown hardening '" + entry.leadingWord("hardening") + "'",
-                   "write: hardening table ((0 285) (0.1 375)), rows of equivalent plastic strain "
-                   "and yield stress");
-
-    std::vector<Hardening> table;
-    for (const auto& row : entry.tailRows("hardening", 2)) {
-        const bool first = table.empty();
-        if (first ? row[0] != 0 : row[0] <= table.back().equivalentPlasticStrain)
-            entry.fail("hardening", first ? "the first row must be at plastic strain 0"
-                                          : "plastic strains must ascend: " + toText(row[0], 6)
-                                                + " follows "
-                                                + toText(table.back().equivalentPlasticStrain, 6));
-        if (row[1] <= 0 || (!first && row[1] < table.back().yieldStress))
-            entry.fail("hardening",
-                       "yield stresses must be > 0 and must not fall: " + toText(row[1], 6),
-                       "softening gives results that depend on the mesh and is refused");
-        table.push_back({row[0], row[1]});
-    }
-    if (table.empty()) entry.fail("hardening", "the table has no rows");
-    return table;
-}
-
-/// The nearest of the lineage that speaks of hardening decides between table and straight line.
-std::vector<Hardening> readHardening(const Lineage& lineage)
-{
-    for (const Dictionary& entry : lineage) {
-        if (entry.has("hardening")) return readTable(entry);
-        if (entry.has("yieldStress") || entry.has("plasticModulus")) break;
-    }
-    const double yieldStress = number(lineage, "yieldStress", positive());
-    const double modulus =
-        holder(lineage, "plasticModulus").numberOr("plasticModulus", 0.0, nonNegative());
-    return {{0.0, yieldStress}, {1.0, yieldStress + modulus}};
+        holder(lineage, "model")
+            .choice("model", {"elastic", "elastoplastic", "rigidPrescribed", "rigidFree"});
+    return word == "elastic"           ? PartKind::elastic
+           : word == "elastoplastic"   ? PartKind::elastoplastic
+           : word == "rigidPrescribed" ? PartKind::rigidPrescribed
+                                       : PartKind::rigidFree;
 }
 
 void readHourglass(const Lineage& lineage, Part& part)
@@ -111,10 +33,11 @@ void readHourglass(const Lineage& lineage, Part& part)
         preset = largest = 1.0;
     }
     part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
-    part.hourglassPlastic =
-        entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic"
-            ? HourglassPlastic::elastic
-            : HourglassPlastic::coupled;
+    const std::string plastic =
+        entry.choiceOr("plastic", "coupled", {"elastic", "coupled", "tangent"});
+    part.hourglassPlastic = plastic == "elastic"   ? HourglassPlastic::elastic
+                            : plastic == "tangent" ? HourglassPlastic::tangent
+                                                   : HourglassPlastic::coupled;
 }
 
 RotationForm readRotation(const Lineage& lineage)
@@ -128,13 +51,86 @@ RotationForm readRotation(const Lineage& lineage)
                                     : RotationForm::midSurface;
 }
 
-/// Plasticity in a part that never yields is a misunderstanding, not a spare entry.
-void refusePlasticity(const Dictionary& own)
+/// `hexahedron` and `rotation`: the selective element knows one rotation only.
+void readElement(const Lineage& lineage, Part& part)
 {
-    for (const char* key : {"yieldStress", "plasticModulus", "hardening"})
-        if (own.has(key))
-            own.fail(key, format("'{}' has no meaning for model rigid", key),
-                     "use model elastoplastic, or remove it");
+    part.rotation = readRotation(lineage);
+    if (holder(lineage, "hexahedron").choiceOr("hexahedron", "reduced", {"reduced", "selective"})
+        == "reduced")
+        return;
+    part.hexahedron = HexahedronForm::selective;
+    const Dictionary& entry = holder(lineage, "rotation");
+    if (entry.has("rotation") && part.rotation != RotationForm::hughesWinget)
+        entry.fail("rotation", "hexahedron selective turns every integration point by its spin",
+                   "write: rotation hughesWinget; or remove the entry");
+    part.rotation = RotationForm::hughesWinget;
+    if (part.erosion.any())
+        holder(lineage, "erosion")
+            .fail("erosion", "elements of hexahedron selective are never deleted",
+                  "use hexahedron reduced, or remove the entry");
+}
+
+/// Leading minors of a symmetric matrix xx yy zz xy yz zx.
+bool isPositive(const std::array<double, 6>& m)
+{
+    const double second = m[0] * m[1] - m[3] * m[3];
+    const double third =
+        m[2] * second - m[4] * (m[0] * m[4] - m[3] * m[5]) + m[5] * (m[3] * m[4] - m[1] * m[5]);
+    return m[0] > 0 && second > 0 && third > 0;
+}
+
+/// Inertia of some body: trace / 2 less the tensor, sum m x x^T, must be positive too.
+std::array<double, 6> readInertia(const Dictionary& entry)
+{
+    const std::vector<double> values = entry.numbers("inertia");
+    if (values.size() != 6)
+        entry.fail("inertia", format("'inertia' has {} values, not 6", values.size()),
+                   "write: inertia (xx yy zz xy yz zx), about the centre");
+    std::array<double, 6> inertia{}, moments{};
+    const double half = (values[0] + values[1] + values[2]) / 2;
+    for (std::size_t i = 0; i < 6; ++i) {
+        inertia[i] = values[i];
+        moments[i] = (i < 3 ? half * (1 + 1e-9) : 0) - values[i];
+    }
+    if (!isPositive(inertia) || !isPositive(moments))
+        entry.fail("inertia", "no body has this inertia",
+                   "principal moments must be > 0, each at most the sum of the others; xy is "
+                   "minus the sum of m x y");
+    return inertia;
+}
+
+void readFreeBody(const Lineage& lineage, Part& part)
+{
+    GivenInertia& given = part.inertia;
+    if (const Dictionary& entry = holder(lineage, "mass"); entry.has("mass"))
+        given.mass = entry.number("mass", positive());
+    if (const Dictionary& entry = holder(lineage, "centre"); entry.has("centre")) {
+        given.hasCentre = true;
+        given.centre = entry.vector("centre");
+    }
+    if (const Dictionary& entry = holder(lineage, "inertia"); entry.has("inertia")) {
+        given.hasInertia = true;
+        given.inertia = readInertia(entry);
+    }
+    if (given.hasCentre && !given.hasInertia)
+        holder(lineage, "centre")
+            .fail("centre", "'centre' is given without 'inertia'",
+                  "the inertia about that centre does not follow from the mesh: give both");
+    if (part.density == 0 && !(given.mass > 0 && given.hasInertia))
+        lineage.front().fail("model",
+                             "part '" + part.name + "' is rigidFree, but its mass is not known",
+                             "add 'density', or 'mass' and 'inertia'");
+}
+
+void readRigid(const Lineage& lineage, Part& part)
+{
+    refuseFlow(lineage.front());
+    part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
+    part.youngsModulus =
+        holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
+    part.poissonsRatio =
+        holder(lineage, "poissonsRatio").numberOr("poissonsRatio", 0.0, {-1, 0.5, true, true});
+    if (part.kind == PartKind::rigidFree) readFreeBody(lineage, part);
 }
 
 Part readPart(const Dictionary& parts, const std::string& name)
@@ -143,23 +139,19 @@ Part readPart(const Dictionary& parts, const std::string& name)
     Part part;
     part.name = name;
     part.kind = readKind(lineage);
-    if (part.kind == PartKind::rigid) {
-        refusePlasticity(lineage.front());
-        part.density = holder(lineage, "density").numberOr("density", 0.0, nonNegative());
-        part.youngsModulus =
-            holder(lineage, "youngsModulus").numberOr("youngsModulus", 0.0, nonNegative());
-        part.poissonsRatio =
-            holder(lineage, "poissonsRatio").numberOr("poissonsRatio", 0.0, {-1, 0.5, true, true});
+    if (isRigid(part.kind)) {
+        readRigid(lineage, part);
         return part;
     }
     part.density = number(lineage, "density", positive());
     part.youngsModulus = number(lineage, "youngsModulus", positive());
     part.poissonsRatio = number(lineage, "poissonsRatio", {-1, 0.5, true, true});
     if (part.kind == PartKind::elastoplastic)
-        part.hardening = readHardening(lineage);
-    else if (lineage.front().has("yieldStress") || lineage.front().has("hardening"))
-        readHardening(lineage); // checked, not used: elastic and plastic differ by one word
-    part.rotation = readRotation(lineage);
+        readFlow(lineage, part);
+    else
+        checkUnusedFlow(lineage, part); // elastic and plastic differ by one word
+    readErosion(lineage, part);
+    readElement(lineage, part);
     readHourglass(lineage, part);
     const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");
     part.linearBulkViscosity = viscosity.numberOr("linear", 0.06, between(0, 1));
@@ -203,8 +195,7 @@ std::vector<bool> readRigidParts(const Dictionary& dictionary, const Mesh& mesh)
     const Dictionary entries = dictionary.sub("parts");
     std::vector<bool> rigid;
     for (const MeshPart& part : mesh.parts)
-        rigid.push_back(entries.has(part.name)
-                        && readKind(lineageOf(entries, part.name)) == PartKind::rigid);
+        rigid.push_back(entries.has(part.name) && isRigid(readKind(lineageOf(entries, part.name))));
     return rigid;
 }
 

@@ -29,4 +29,17 @@ void refuseRigidPair(const Mesh& mesh,
               "remove the pair, or make one of the parts deformable in constant/partProperties");
 }
 
+void refuseRigidContactor(const Mesh& mesh,
+                          const ContactSurfaces& surfaces,
+                          const std::vector<bool>& rigid,
+                          const Dictionary& pair)
+{
+    const Index contactor = rigidPartAmong(mesh, surfaces.contactorSides, rigid);
+    if (contactor < 0) return;
+    pair.fail("contactor",
+              "part '" + mesh.parts[std::size_t(contactor)].name
+                  + "' is rigid, and so is an analytic surface: neither can give way",
+              "remove the pair, or make the part deformable in constant/partProperties");
+}
+
 } // namespace fpm

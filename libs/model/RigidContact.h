@@ -12,4 +12,10 @@ void refuseRigidPair(const Mesh& mesh,
                      const std::vector<bool>& rigid,
                      const Dictionary& pair);
 
+/// The same where the target is an analytic surface.
+void refuseRigidContactor(const Mesh& mesh,
+                          const ContactSurfaces& surfaces,
+                          const std::vector<bool>& rigid,
+                          const Dictionary& pair);
+
 } // namespace fpm

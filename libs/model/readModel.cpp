@@ -25,13 +25,12 @@ Dictionary dictionaryOrEmpty(const Case& theCase, const std::string& relative)
 }
 
 /// Surfaces from the mesh file, numbers from contactDict.
-std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& model, Log& log)
+void readContact(const Case& theCase, Model& model, Log& log)
 {
-    std::vector<ContactPair> pairs;
     if (!theCase.hasFile("system/contactDict")) {
         if (!model.mesh.contact.empty())
             log.line("no system/contactDict: the contact surfaces of the mesh are not used");
-        return pairs;
+        return;
     }
     if (contactIsOutdated(model.mesh, theCase))
         throw Error(ExitCode::mesh,
@@ -40,9 +39,11 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
                     "run fpmSetContact");
 
     std::vector<bool> rigid;
-    for (const Part& part : model.parts) rigid.push_back(part.kind == PartKind::rigid);
+    for (const Part& part : model.parts) rigid.push_back(isRigid(part.kind));
     const Dictionary contactDict = theCase.dictionary("system/contactDict");
-    for (const PairEntry& entry : readContactEntries(contactDict).pairs) {
+    const ContactEntries entries = readContactEntries(contactDict);
+    model.rigidSurfaces = entries.rigidSurfaces;
+    for (const PairEntry& entry : entries.pairs) {
         const auto surfaces =
             std::find_if(model.mesh.contact.begin(), model.mesh.contact.end(),
                          [&](const ContactSurfaces& one) { return one.pair == entry.name; });
@@ -51,18 +52,40 @@ std::vector<ContactPair> readContactPairs(const Case& theCase, const Model& mode
                         "constant/mesh.vtkhdf has no contact surfaces for pair '" + entry.name
                             + "'",
                         "run fpmSetContact");
-        refuseRigidPair(model.mesh, *surfaces, rigid, contactDict.sub("pairs").sub(entry.name));
-        pairs.push_back({entry.name, surfaces->contactorNodes, surfaces->targetSides,
-                         entry.friction, entry.normalScale, entry.tangentialScale, entry.search});
+        const Dictionary place = contactDict.sub("pairs").sub(entry.name);
+        ContactPair pair{entry,
+                         entry.name,
+                         surfaces->contactorNodes,
+                         surfaces->targetSides,
+                         entries.rigidSurface(entry.target),
+                         entry.search};
+        if (pair.surface >= 0)
+            refuseRigidContactor(model.mesh, *surfaces, rigid, place);
+        else
+            refuseRigidPair(model.mesh, *surfaces, rigid, place);
+        model.contactPairs.push_back(std::move(pair));
     }
-    return pairs;
 }
 
 const char* kindName(PartKind kind)
 {
-    return kind == PartKind::elastic         ? "elastic"
-           : kind == PartKind::elastoplastic ? "elastoplastic"
-                                             : "rigid";
+    return kind == PartKind::elastic           ? "elastic"
+           : kind == PartKind::elastoplastic   ? "elastoplastic"
+           : kind == PartKind::rigidPrescribed ? "rigidPrescribed"
+                                               : "rigidFree";
+}
+
+/// Rigid bodies limit no step; without an element to do so the step must be given.
+void requireStep(const Model& model, const Dictionary& control)
+{
+    bool deformable = false, free = false;
+    for (const Part& part : model.parts) {
+        deformable |= !isRigid(part.kind);
+        free |= part.kind == PartKind::rigidFree;
+    }
+    if (free && !deformable && !(model.control.fixedTimeStep > 0))
+        control.fail("timeStep", "all parts are rigid: nothing limits the time step",
+                     "give it, such as: timeStep { fixed 1e-5; }");
 }
 
 void report(const Model& model, Log& log)
@@ -75,7 +98,7 @@ void report(const Model& model, Log& log)
         const Part& part = model.parts[i];
         std::string line = format("part {}: {}, {} elements", part.name, kindName(part.kind),
                                   model.mesh.parts[i].elementCount);
-        if (part.kind != PartKind::rigid)
+        if (!isRigid(part.kind))
             line +=
                 format(", wave speed {} {}/{}", waveSpeed(part), model.units[0], model.units[2]);
         log.line(line);
@@ -110,10 +133,11 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
     checkMotions(model, boundary, log);
 
     model.control = readControl(control, log);
-    model.control.histories = readHistories(control, model.mesh, model.boundaryConditions, log);
+    requireStep(model, control);
+    readMassScaling(control, model.parts);
+    readContact(theCase, model, log);
+    model.control.histories = readHistories(control, model, log);
     control.requireAllUsed();
-
-    model.contactPairs = readContactPairs(theCase, model, log);
     report(model, log);
     return model;
 }

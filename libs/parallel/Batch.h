@@ -170,6 +170,16 @@ struct NumberTraits<Batch<S, W>> {
         y.value = columns[1];
         z.value = columns[2];
     }
+    typedef std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t> Word
+        __attribute__((vector_size(sizeof(Native))));
+    FPM_KERNEL static Word word(const Batch<S, W>& value) { return Word(value.value); }
+    FPM_KERNEL static Batch<S, W> fromWord(Word bits) { return Batch<S, W>(Native(bits)); }
+    FPM_KERNEL static bool any(typename Batch<S, W>::Mask condition)
+    {
+        bool holds = false;
+        for (int lane = 0; lane < W; ++lane) holds |= condition[lane] != 0;
+        return holds;
+    }
 };
 
 template <class S, int W>

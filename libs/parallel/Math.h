@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace fpm {
 
@@ -35,6 +37,22 @@ struct NumberTraits {
         y = record[1];
         z = record[2];
     }
+    /// The bits of a number, and back.
+    using Word = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+    FPM_KERNEL static Word word(const T& value)
+    {
+        Word bits;
+        memcpy(&bits, &value, sizeof bits);
+        return bits;
+    }
+    FPM_KERNEL static T fromWord(Word bits)
+    {
+        T value;
+        memcpy(&value, &bits, sizeof value);
+        return value;
+    }
+    /// Whether a condition holds in any lane.
+    FPM_KERNEL static bool any(bool condition) { return condition; }
 };
 template <class T>
 using ScalarOf = typename NumberTraits<T>::Scalar;

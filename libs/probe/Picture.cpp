@@ -156,6 +156,7 @@ private:
 
 PicturePainter::PicturePainter(const PictureSpec& spec, const Mesh& mesh)
     : spec_(spec),
+      mesh_(mesh),
       nodeCount_(mesh.points.size()),
       elementCount_(mesh.hexahedra.size()),
       shell_(makeShell(mesh, partNumbers(spec, mesh), spec.mirror)),
@@ -166,6 +167,20 @@ PicturePainter::PicturePainter(const PictureSpec& spec, const Mesh& mesh)
 {
     for (const MeshPart& part : mesh.parts) partNames_.push_back(part.name);
     for (const Index node : shell_.nodes) undeformed_.push_back(mesh.points[std::size_t(node)]);
+}
+
+void PicturePainter::leaveOutDeleted(const Frame& frame)
+{
+    std::vector<bool> deleted;
+    for (const ResultField& field : frame.elementFields)
+        if (field.name == "STATUS" && field.values.size() == elementCount_
+            && std::ranges::count(field.values, 0.0) > 0)
+            for (const double status : field.values) deleted.push_back(status == 0);
+    if (deleted == deleted_) return;
+    deleted_ = deleted;
+    shell_ = makeShell(mesh_, partNumbers(spec_, mesh_), spec_.mirror, deleted_);
+    undeformed_.clear();
+    for (const Index node : shell_.nodes) undeformed_.push_back(mesh_.points[std::size_t(node)]);
 }
 
 std::vector<Point> PicturePainter::positions(const Frame& frame) const
@@ -198,6 +213,7 @@ std::vector<double> PicturePainter::values(const Frame& frame) const
 
 void PicturePainter::include(const Frame& frame)
 {
+    leaveOutDeleted(frame);
     const std::vector<Point> deformed = positions(frame);
     const std::vector<double> shown = byPart_ ? std::vector<double>{} : values(frame);
     for (const auto& mirrored : reflections(spec_.mirror)) {
@@ -248,6 +264,7 @@ Image PicturePainter::paint(const Frame& frame)
 
 PictureFiles PicturePainter::draw(const Frame& frame)
 {
+    leaveOutDeleted(frame);
     const Image image = paint(frame);
     PictureFiles files;
     files.png = encodePng(image);

@@ -35,24 +35,28 @@ struct PictureFiles {
     std::vector<std::uint8_t> png;
 };
 
-/// Draws the deformed surface of a mesh, one picture a frame. Show it every frame first: all
+/// Draws the deformed surface of a mesh without the elements a frame's STATUS has deleted, one
+/// picture a frame. Show it every frame first: all
 /// pictures then share one camera and one colour scale.
 class PicturePainter
 {
 public:
-    /// Throws Error(dictionary) for an unknown part.
+    /// The mesh must live as long. Throws Error(dictionary) for an unknown part.
     PicturePainter(const PictureSpec& spec, const Mesh& mesh);
 
     void include(const Frame& frame);
     PictureFiles draw(const Frame& frame);
 
 private:
+    void leaveOutDeleted(const Frame& frame);
     std::vector<Point> positions(const Frame& frame) const;
     std::vector<double> values(const Frame& frame) const;
     ColourScale scale() const;
     Image paint(const Frame& frame);
 
     PictureSpec spec_;
+    const Mesh& mesh_;
+    std::vector<bool> deleted_; ///< elements the shell is without; empty: none
     std::vector<std::string> partNames_;
     std::size_t nodeCount_, elementCount_;
     std::vector<Point> undeformed_; ///< of the shell's vertices

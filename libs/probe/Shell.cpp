@@ -112,14 +112,17 @@ bool isCrease(const Shell& shell,
 
 } // namespace
 
-Shell makeShell(const Mesh& mesh, std::span<const Index> parts, const MirrorPlanes& mirror)
+Shell makeShell(const Mesh& mesh,
+                std::span<const Index> parts,
+                const MirrorPlanes& mirror,
+                const std::vector<bool>& deleted)
 {
     Shell shell;
     const std::vector<std::uint8_t> bits = planeBits(mesh, mirror);
     std::vector<Index> vertexOf(mesh.points.size(), -1);
     for (const Index part : parts) {
         const std::size_t firstVertex = shell.nodes.size();
-        for (const ElementSide& side : skin(mesh, part)) {
+        for (const ElementSide& side : skin(mesh, part, deleted)) {
             Quad quad = mesh.sideNodes(side);
             std::uint8_t common = 7;
             for (const Index node : quad) common &= bits[std::size_t(node)];

@@ -27,7 +27,11 @@ struct Shell {
 };
 
 /// Surface of the given parts; faces in the mirror planes are left out, they lie inside the whole.
-Shell makeShell(const Mesh& mesh, std::span<const Index> parts, const MirrorPlanes& mirror);
+/// `deleted`: of every element, or empty; the surface is that of the others.
+Shell makeShell(const Mesh& mesh,
+                std::span<const Index> parts,
+                const MirrorPlanes& mirror,
+                const std::vector<bool>& deleted = {});
 
 /// Values at the vertices: nodal ones as they are, element values as the mean over the quads around
 /// the vertex. NaN values do not take part in a mean.

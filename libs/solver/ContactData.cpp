@@ -2,7 +2,7 @@
 #include "base/Format.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
-#include "solver/SolverData.h"
+#include "solver/PenaltyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +11,6 @@
 namespace fpm {
 
 namespace {
-
-/// K A^2 / V of the element behind a side: the penalty of Hallquist et al. 1985.
-double penalty(const Model& model, const ElementSide& side)
-{
-    const Part& part = model.parts[std::size_t(model.mesh.partOf(side.element))];
-    const double bulk = part.youngsModulus / (3 * (1 - 2 * part.poissonsRatio));
-    const double a = area(model.mesh, side);
-    return bulk * a * a / volume(model.mesh, side.element);
-}
-
-bool isRigid(const Model& model, const ElementSide& side)
-{
-    return model.parts[std::size_t(model.mesh.partOf(side.element))].kind == PartKind::rigid;
-}
 
 /// Sides of the contactor's surface, from the mesh; the contactor's nodes lie on them.
 const std::vector<ElementSide>& ownSides(const Model& model, const ContactPair& pair)
@@ -104,20 +90,16 @@ double faceDiagonal(const PairData& pair, const Mesh& mesh)
     return diagonal;
 }
 
-PairData makePair(const Model& model, const ContactPair& pair)
+PairData makePair(const SolverData& data, const Model& model, const ContactPair& pair)
 {
+    const std::vector<ElementSide>& own = ownSides(model, pair);
+    if (pair.surface >= 0) return makeSurfacePair(data, model, pair, own);
     PairData out;
     out.name = pair.name;
     out.search = pair.search;
-    out.friction = pair.friction;
-    out.tangentialRatio = pair.tangentialScale / pair.normalScale;
+    out.law = pair;
     out.contactor = pair.contactorNodes;
-    const std::vector<ElementSide>& own = ownSides(model, pair);
     addOwnFaces(out, model, own);
-
-    // A rigid target has no stiffness of its own: it takes the mean of its partner's faces.
-    double partner = 0;
-    for (const ElementSide& side : own) partner += penalty(model, side) / double(own.size());
     double areas = 0;
     for (const ElementSide& side : pair.targetSides) {
         const Quad quad = model.mesh.sideNodes(side);
@@ -125,9 +107,8 @@ PairData makePair(const Model& model, const ContactPair& pair)
         const double a = area(model.mesh, side);
         areas += a;
         out.faceThickness.push_back(volume(model.mesh, side.element) / a);
-        out.faceStiffness.push_back(pair.normalScale
-                                    * (isRigid(model, side) ? partner : penalty(model, side)));
     }
+    addPenalty(out, data, model, pair, own);
     out.meanFaceSize = std::sqrt(areas / double(pair.targetSides.size()));
     addNeighbours(out);
     addTargetNodes(out);
@@ -142,19 +123,6 @@ PairData makePair(const Model& model, const ContactPair& pair)
     return out;
 }
 
-/// False where every component of the node's motion is held or driven: no spring can disturb it.
-bool movesFreely(const SolverData& data, std::size_t node)
-{
-    int imposed = data.fixed[node];
-    if (!data.conditionStart.empty())
-        for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k) {
-            const Condition& condition =
-                data.conditions[std::size_t(data.conditionOf[std::size_t(k)])];
-            if (condition.kind != 2) imposed |= condition.components;
-        }
-    return imposed != 7;
-}
-
 double powerOfTwoBelow(double value)
 {
     return std::exp2(std::floor(std::log2(value)));
@@ -164,18 +132,21 @@ double powerOfTwoBelow(double value)
 
 void addContact(SolverData& data, const Model& model)
 {
+    for (const RigidSurface& surface : model.rigidSurfaces)
+        data.surfaces.push_back(surfaceShape(surface, data.amplitudeRows));
     double largestForce = 0, largestStiffness = 0;
     std::size_t contactors = 0;
     for (const ContactPair& pair : model.contactPairs) {
-        data.pairs.push_back(makePair(model, pair));
+        data.pairs.push_back(makePair(data, model, pair));
         const PairData& made = data.pairs.back();
         contactors += made.contactor.size();
-        for (std::size_t face = 0; face < made.faceStiffness.size(); ++face) {
-            const double most =
-                made.faceStiffness[face] * made.faceThickness[face] * (1 + made.friction);
-            largestForce = std::max(largestForce, most);
-            largestStiffness = std::max(largestStiffness, 2 * made.faceStiffness[face]);
-        }
+        const double stiffness = fpm::largestStiffness(made);
+        double depth = made.deepest;
+        for (const double thickness : made.faceThickness) depth = std::max(depth, thickness);
+        // Damping at the speed that crosses the depth in one step, omega dt down to 2e-3 zeta.
+        const double most = 1 + made.law.friction + (made.law.normalDamping > 0 ? 1e3 : 0);
+        largestForce = std::max(largestForce, stiffness * depth * most);
+        largestStiffness = std::max(largestStiffness, 2 * stiffness * dampingLimit(made.law));
         data.contactNodes.insert(data.contactNodes.end(), made.contactor.begin(),
                                  made.contactor.end());
         data.contactNodes.insert(data.contactNodes.end(), made.target.begin(), made.target.end());

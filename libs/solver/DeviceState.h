@@ -41,7 +41,23 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                                    {},
                                    {},
                                    {}};
-        to.general.rotation = m.general.rotation;
+        const GeneralConstants<double>& g = m.general;
+        to.general = {g.rotation,
+                      Work(g.kinematicModulus),
+                      Work(g.powerModulus),
+                      Work(g.powerExponent),
+                      g.rateLaw,
+                      Work(g.referenceRate),
+                      Work(g.rateCoefficient),
+                      Work(g.heatPerWork),
+                      Work(g.temperature),
+                      Work(g.softeningExponent),
+                      Work(g.roomTemperature),
+                      Work(g.inverseMeltingRange),
+                      Work(g.erosionStrain),
+                      g.erodes,
+                      g.erodesInverted,
+                      g.tangentHourglass};
         for (int row = 0; row < m.rows; ++row) {
             to.strain[row] = Work(m.strain[row]);
             to.stress[row] = Work(m.stress[row]);
@@ -73,9 +89,18 @@ struct PairState {
         neighbour;
     Of<Index> target, targetFaceStart, targetFaces, face, head, next;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction;
-    Of<double> force, spring, dissipated;
+    Of<Work> contactorStiffness, contactorMass, faceMass;
+    Of<Index> frictionFace;
+    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork;
     Of<std::int64_t> released;
     std::uint32_t mask = 0;
+
+    static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
+    /// The stored tangential force is kept in the frame of a face.
+    static bool convectedFriction(const PairData& pair)
+    {
+        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
+    }
 
     explicit PairState(const PairData& pair)
         : contactor(pair.contactor),
@@ -94,10 +119,19 @@ struct PairState {
           ownNormal(3 * pair.contactor.size()),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
-          friction(pair.friction > 0 ? 3 * pair.contactor.size() : 0),
+          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
+                                         : 0),
+          contactorStiffness(converted<Work>(pair.contactorStiffness)),
+          contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
+          faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
+          frictionFace(
+              std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
           dissipated(pair.contactor.size()),
+          dampingForce(damps(pair) ? pair.contactor.size() : 0),
+          damped(damps(pair) ? pair.contactor.size() : 0),
+          surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
           released(1)
     {
         const bool faces = pair.search == ContactSearch::faces;
@@ -113,11 +147,48 @@ struct PairState {
     {
         return (contactor.size() * 2 + ownFaceStart.size() + ownFaceNode.size()
                 + faceNode.size() * 3 + target.size() + targetFaceStart.size() + targetFaces.size()
-                + face.size() + head.size() + next.size())
+                + face.size() + head.size() + next.size() + frictionFace.size())
                    * sizeof(Index)
                + (faceStiffness.size() * 2 + ownNormal.size() + xi.size() * 2 + friction.size())
                      * sizeof(Work)
-               + (force.size() + spring.size() + dissipated.size()) * sizeof(double);
+               + (contactorStiffness.size() + contactorMass.size() + faceMass.size()) * sizeof(Work)
+               + (force.size() + spring.size() + dissipated.size() + dampingForce.size()
+                  + damped.size() + surfaceWork.size())
+                     * sizeof(double);
+    }
+};
+
+/// Rigid bodies in the executor's memory; empty without.
+template <class Executor>
+struct BodyArrays {
+    template <class T>
+    using Of = Array<T, Executor>;
+
+    Of<RigidBody> bodies;
+    Of<Index> bodyOf, nodes, useStart, blockStart, loaded;
+    Of<ConditionUse> uses;
+    Of<BodyBlock> blocks;
+    Of<double> arm, inverseMass, sums;
+
+    explicit BodyArrays(const BodyData& data)
+        : bodies(data.bodies),
+          bodyOf(data.bodyOf),
+          nodes(data.nodes),
+          useStart(data.useStart),
+          blockStart(data.blockStart),
+          loaded(data.loaded),
+          uses(data.uses),
+          blocks(data.blocks),
+          arm(planes<double>(data.arm)),
+          inverseMass(data.inverseMass),
+          sums(bodySums * data.blocks.size())
+    {
+    }
+    std::size_t bytes() const
+    {
+        return bodies.bytes() + bodyOf.bytes() + nodes.bytes() + useStart.bytes()
+               + blockStart.bytes() + loaded.bytes() + uses.bytes() + blocks.bytes() + arm.bytes()
+               + inverseMass.bytes() + sums.bytes();
     }
 };
 
@@ -139,11 +210,16 @@ struct DeviceState {
     Of<Work> elementMass, state, slotForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
-    Of<Motion> velocity, inverseMass;
+    Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
-    Of<Index> conditionStart, conditionOf;
+    Of<Index> conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
+        pressureSlots;
+    Of<ConditionUse> uses;
     Of<Condition> conditions;
-    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy;
+    Of<Motion> pressureForce;
+    Of<double> frames;
+    BodyArrays<Executor> body;
+    Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy, relaxationSum;
 
     Of<Index> contactNodes, contactNumber;
     Of<Motion> contactInverseMass;
@@ -168,20 +244,31 @@ struct DeviceState {
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
           inverseMass(inverses(data.nodeMass)),
+          lastForce(data.relaxation.tolerance > 0 ? 3 * std::size_t(data.nodeCount) : 0),
           fixed(data.fixed),
           conditionStart(data.conditionStart),
-          conditionOf(data.conditionOf),
+          frameOf(data.frameOf),
+          pressureFaceNode(data.pressureFaceNode),
+          pressureFaceCondition(data.pressureFaceCondition),
+          pressureStart(data.pressureStart),
+          pressureSlots(data.pressureSlots),
+          uses(data.uses),
           conditions(data.conditions),
+          pressureForce(3 * data.pressureFaceNode.size()),
+          frames(data.frames),
+          body(data.body),
           amplitudeRows(data.amplitudeRows),
           patchEnergy(data.patches.size() * elementEnergies),
           patchStep(data.patches.size()),
           blockWork(blocks(data.nodeCount) * nodeWorks),
           blockEnergy(2 * blocks(data.nodeCount)),
+          relaxationSum(data.relaxation.tolerance > 0 ? relaxationSums * blocks(data.nodeCount)
+                                                      : 0),
           contactNodes(data.contactNodes),
           contactNumber(data.contactNumber),
           contactInverseMass(converted<Motion>(data.contactInverseMass)),
           contactSum(4 * data.contactNodes.size()),
-          contactLimit(blocks(Index(data.contactNodes.size()))),
+          contactLimit(blocks(Index(data.contactNodes.size())) + data.body.bodies.size()),
           contactTravel(2 * blocks(Index(data.contactNodes.size()))),
           searchPosition(3 * data.contactNodes.size()),
           clock(std::vector<StepClock>(1))
@@ -214,8 +301,11 @@ struct DeviceState {
             + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
             + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
             + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
-            + contactInverseMass.bytes() + blockEnergy.bytes() + conditionOf.bytes()
-            + conditions.bytes() + amplitudeRows.bytes();
+            + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
+            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
+            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
+            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
+            + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

@@ -2,10 +2,15 @@
 
 #include "base/Error.h"
 #include "kernels/contact/ContactForce.h"
+#include "kernels/contact/RigidSurface.h"
 #include "kernels/contact/Travel.h"
 #include "kernels/element/ElementPass.h"
+#include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/ClockPass.h"
+#include "kernels/particle/PressurePass.h"
 #include "solver/DeviceState.h"
+#include "solver/Erosion.h"
+#include "solver/PenaltyData.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
 
@@ -28,6 +33,8 @@ public:
     Energies energies() override;
     NodalWorks nodalWorks() override;
     PairForce pairForce(std::size_t pair) override;
+    BodyMotionValues bodyMotion(std::size_t body) override;
+    NodeLimit contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
     std::uint64_t stateChecksum() override;
@@ -43,6 +50,7 @@ private:
 
     void computeForces();
     void integrate();
+    void relax();
     void elementPasses();
     template <class Material, class Hourglass>
     void elementPass(std::size_t group);
@@ -50,9 +58,18 @@ private:
     void searchContact();
     void searchPair(std::size_t pair);
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
+    void loadPasses();
+    void moveBodies();
+    void renewContact();
+    void renewPair(std::size_t pair, const PairRenewal& from);
+    void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
     PairView<Precision> pairView(std::size_t pair);
+    PairLaw<Work> pairLaw(std::size_t pair);
+    SurfaceForce<Precision> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();
+    /// Blocks of contact nodes; the bounds of the bodies follow theirs.
+    Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
     template <class Body>
@@ -66,9 +83,12 @@ private:
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
     StepRules rules_;
-    bool ledger_, searchesEveryStep_ = false;
+    bool ledger_, searches_ = false, searchesEveryStep_ = false;
     double startEnergy_ = 0;
     std::size_t elementScratch_;
+    std::unique_ptr<Erosion> erosion_;         ///< null unless deletions change contact surfaces
+    std::int64_t deletions_ = 0;               ///< those the contact surfaces know
+    double lostSpring_ = 0, lostFriction_ = 0; ///< energies of contactors that are none any more
 };
 
 template <class Precision, class Executor>
@@ -85,12 +105,17 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
       state_(data_, model.mesh.points),
       elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
 {
-    ledger_ = audit || !data_.conditions.empty() || massDamping_ > 0;
+    ledger_ =
+        audit || !data_.conditions.empty() || massDamping_ > 0 || data_.relaxation.tolerance > 0;
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
+    if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const PairData& pair : data_.pairs)
-        searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
+        if (pair.surface < 0) {
+            searches_ = true;
+            searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
+        }
 }
 
 template <class Precision, class Executor>
@@ -105,7 +130,7 @@ void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& bod
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::start()
 {
-    if (!data_.pairs.empty()) searchContact();
+    if (searches_) searchContact();
     computeForces();
     const Energies first = energies();
     startEnergy_ = first.total - first.external;
@@ -116,7 +141,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
 {
     const auto begin = std::chrono::steady_clock::now();
     StepClock now = clock();
-    if (now.failed || now.time >= time) return;
+    if (now.failed || now.settled || now.time >= time) return;
     now.stop = time;
     now.running = 1;
     state_.clock.fromHost({now});
@@ -125,13 +150,15 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         // The size of the first step is not known before it is made.
         std::int64_t steps =
             std::min(searchesEveryStep_ || now.step <= 0 ? 1 : batch, last - now.steps);
-        if (!data_.pairs.empty()) steps = searchFor(now, steps);
+        if (searches_) steps = searchFor(now, steps);
         for (std::int64_t step = 0; step < steps; ++step) {
             integrate();
             computeForces();
         }
         executor_.synchronize();
         now = clock();
+        if (erosion_ && now.deletions != deletions_) renewContact();
+        deletions_ = now.deletions;
     }
     times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
 }
@@ -141,12 +168,14 @@ void ExplicitSolver<Precision, Executor>::computeForces()
 {
     timed(times_.element, [&] { elementPasses(); });
     if (!data_.pairs.empty()) timed(times_.contact, [&] { contactPasses(); });
+    timed(times_.node, [&] { loadPasses(); });
 }
 
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::integrate()
 {
     timed(times_.node, [&] {
+        if (data_.relaxation.tolerance > 0) relax();
         const ClockPass clockPass{state_.patchStep.data(),
                                   Index(state_.patchStep.size()),
                                   state_.contactLimit.data(),
@@ -155,7 +184,24 @@ void ExplicitSolver<Precision, Executor>::integrate()
                                   state_.clock.data()};
         executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
         executor_.parallelBlocks(nodeBlocks(), nodeScratch(), nodePass());
+        if (!data_.body.bodies.empty()) moveBodies();
     });
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::relax()
+{
+    const RelaxationNodes<Precision> nodes{nodePass(), state_.lastForce.data(),
+                                           state_.relaxationSum.data()};
+    executor_.parallelBlocks(nodeBlocks(), relaxationScratch(), nodes);
+    const RelaxationClock relaxation{state_.relaxationSum.data(),
+                                     nodeBlocks(),
+                                     state_.patchEnergy.data(),
+                                     Index(state_.patchStep.size()),
+                                     elementEnergies,
+                                     data_.relaxation,
+                                     state_.clock.data()};
+    executor_.parallelBlocks(1, RelaxationClock::scratch(), relaxation);
 }
 
 template <class Precision, class Executor>
@@ -164,6 +210,10 @@ void ExplicitSolver<Precision, Executor>::elementPasses()
     for (std::size_t group = 0; group < data_.groups.size(); ++group) {
         const bool general = data_.groups[group].general;
         const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
+        if (data_.groups[group].hexahedron == HexahedronForm::selective) {
+            elementPass<GeneralPlasticity, SelectiveIntegration>(group);
+            continue;
+        }
         switch (data_.groups[group].hourglass) {
         case HourglassForm::stiffness:
             general   ? elementPass<GeneralPlasticity, StiffnessHourglass>(group)
@@ -207,6 +257,7 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .patchEnergy = state_.patchEnergy.data(),
         .patchStep = state_.patchStep.data(),
         .clock = state_.clock.data(),
+        .deletions = &state_.clock.data()->deletions,
         .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0)};
     executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
 }
@@ -229,9 +280,15 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
             .contactForce = s.contactSum.data(),
             .contactScale = data_.contactScale,
             .conditionStart = s.conditionStart.data(),
-            .conditionOf = s.conditionOf.data(),
+            .uses = s.uses.data(),
             .conditions = s.conditions.data(),
             .amplitudeRows = s.amplitudeRows.data(),
+            .frameOf = s.frameOf.data(),
+            .frames = s.frames.data(),
+            .pressureStart = s.pressureStart.data(),
+            .pressureSlots = s.pressureSlots.data(),
+            .pressureForce = s.pressureForce.data(),
+            .pressureStride = data_.pressureFaceNode.size(),
             .massDamping = typename Precision::Motion(massDamping_),
             .ledger = ledger_,
             .blockWork = s.blockWork.data(),
@@ -240,5 +297,7 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
 
 } // namespace fpm
 
+#include "solver/ExplicitSolverBodies.h"
 #include "solver/ExplicitSolverContact.h"
+#include "solver/ExplicitSolverErosion.h"
 #include "solver/ExplicitSolverResults.h"

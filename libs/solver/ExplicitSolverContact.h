@@ -21,6 +21,7 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
             .neighbour = s.neighbour.data(),
             .faceStiffness = s.faceStiffness.data(),
             .faceThickness = s.faceThickness.data(),
+            .faceMass = s.faceMass.data(),
             .target = s.target.data(),
             .targetFaceStart = s.targetFaceStart.data(),
             .targetFaces = s.targetFaces.data(),
@@ -28,10 +29,7 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
             .face = s.face.data(),
             .xi = s.xi.data(),
             .eta = s.eta.data(),
-            .friction = s.friction.data(),
             .force = s.force.data(),
-            .spring = s.spring.data(),
-            .dissipated = s.dissipated.data(),
             .released = s.released.data(),
             .position = state_.position.data(),
             .velocity = state_.velocity.data(),
@@ -40,8 +38,57 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
             .scale = data_.contactScale,
             .clock = state_.clock.data(),
             .reach = Work(pair.reach),
-            .frictionCoefficient = Work(pair.friction),
-            .tangentialRatio = Work(pair.tangentialRatio)};
+            .law = pairLaw(number)};
+}
+
+template <class Precision, class Executor>
+PairLaw<typename Precision::Work> ExplicitSolver<Precision, Executor>::pairLaw(std::size_t number)
+{
+    PairState<Precision, Executor>& s = state_.pairs[number];
+    const ContactLaw& law = data_.pairs[number].law;
+    const double slow = law.friction, fast = law.dynamicFriction;
+    return {.count = Index(s.contactor.size()),
+            .source = law.penalty == PenaltyRule::series   ? PenaltySource::series
+                      : law.penalty == PenaltyRule::target ? PenaltySource::target
+                                                           : PenaltySource::lesser,
+            .contactorStiffness = s.contactorStiffness.data(),
+            .friction = {.staticCoefficient = Work(slow),
+                         .dynamicCoefficient = Work(fast < 0 ? slow : fast),
+                         .decay = law.frictionDecay,
+                         .stiffnessRatio = Work(law.tangentialScale / law.normalScale),
+                         .paper = law.paperFriction},
+            .stored = s.friction.data(),
+            .storedFace = s.frictionFace.data(),
+            .spring = s.spring.data(),
+            .dissipated = s.dissipated.data(),
+            .dampingRatio = Work(law.normalDamping),
+            .contactorMass = s.contactorMass.data(),
+            .dampingForce = s.dampingForce.data(),
+            .damped = s.damped.data(),
+            .limitFactor = Work(dampingLimit(law))};
+}
+
+template <class Precision, class Executor>
+SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::size_t number)
+{
+    PairState<Precision, Executor>& s = state_.pairs[number];
+    const PairData& pair = data_.pairs[number];
+    return {.contactorCount = Index(s.contactor.size()),
+            .contactor = s.contactor.data(),
+            .contactorNumber = s.contactorNumber.data(),
+            .force = s.force.data(),
+            .work = s.surfaceWork.data(),
+            .position = state_.position.data(),
+            .velocity = state_.velocity.data(),
+            .nodeStride = std::size_t(data_.nodeCount),
+            .sum = state_.contactSum.data(),
+            .scale = data_.contactScale,
+            .clock = state_.clock.data(),
+            .amplitudeRows = state_.amplitudeRows.data(),
+            .reach = pair.reach,
+            .deepest = pair.deepest,
+            .shape = data_.surfaces[std::size_t(pair.surface)],
+            .law = pairLaw(number)};
 }
 
 template <class Precision, class Executor>
@@ -49,14 +96,18 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
 {
     executor_.parallelFor(Index(state_.contactSum.size()),
                           ClearContactSum{state_.contactSum.data(), state_.clock.data()});
-    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair)
-        executor_.parallelFor(Index(state_.pairs[pair].contactor.size()),
-                              ContactForce<Precision>{pairView(pair)});
+    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair) {
+        const Index contactors = Index(state_.pairs[pair].contactor.size());
+        if (data_.pairs[pair].surface >= 0)
+            executor_.parallelFor(contactors, surfaceForce(pair));
+        else
+            executor_.parallelFor(contactors, ContactForce<Precision>{pairView(pair)});
+    }
     using Limit = ContactLimit<typename Precision::Motion>;
     const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),
                       state_.contactInverseMass.data(),  data_.contactScale,
                       state_.contactLimit.data(),        state_.clock.data()};
-    executor_.parallelBlocks(Index(state_.contactLimit.size()), Limit::scratch(), limit);
+    executor_.parallelBlocks(contactBlocks(), Limit::scratch(), limit);
 }
 
 /// Searches where the lists could not last for `steps` more steps, and returns how many they last
@@ -69,7 +120,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
 {
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
-        Index(state_.contactLimit.size()),
+        contactBlocks(),
         ContactTravel<Precision>{count, state_.contactNodes.data(), state_.position.data(),
                                  state_.velocity.data(), std::size_t(data_.nodeCount),
                                  state_.searchPosition.data(), state_.contactTravel.data()});
@@ -80,8 +131,9 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         distance = std::max(distance, travel[2 * block]);
         speed = std::max(speed, travel[2 * block + 1]);
     }
-    double reach = data_.pairs[0].reach;
-    for (const PairData& pair : data_.pairs) reach = std::min(reach, pair.reach);
+    double reach = 1e300;
+    for (const PairData& pair : data_.pairs)
+        if (pair.surface < 0) reach = std::min(reach, pair.reach);
     // Half as fast again leaves room for acceleration within the batch.
     const double way = 1.5 * std::sqrt(speed) * rules_.growth * now.step;
     const auto lasting = [&](double done) {
@@ -98,7 +150,8 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchContact()
 {
     ++times_.searches;
-    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair) searchPair(pair);
+    for (std::size_t pair = 0; pair < data_.pairs.size(); ++pair)
+        if (data_.pairs[pair].surface < 0) searchPair(pair);
     executor_.parallelFor(
         Index(state_.contactNodes.size()),
         RememberPositions<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),

@@ -14,6 +14,12 @@ std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
     std::array<double, 2> sums{0, 0};
     const std::vector<double> blocks = state_.blockEnergy.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
+    const StepClock now = clock();
+    for (const RigidBody& body : state_.body.bodies.toHost()) {
+        const auto [kinetic, closing] = bodyEnergy(body, now.step, massDamping_ + now.damping);
+        sums[0] += kinetic;
+        sums[1] += closing;
+    }
     return sums;
 }
 
@@ -23,6 +29,8 @@ std::array<double, nodeWorks> ExplicitSolver<Precision, Executor>::works() const
     std::array<double, nodeWorks> sums{};
     const std::vector<double> blocks = state_.blockWork.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % nodeWorks] += blocks[i];
+    for (const RigidBody& body : state_.body.bodies.toHost())
+        for (std::size_t k = 0; k < nodeWorks; ++k) sums[k] += body.work[k];
     return sums;
 }
 
@@ -41,21 +49,26 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         out.hourglass += patches[i + 2];
         out.bulkViscosity += patches[i + 3];
     }
+    out.contact = lostSpring_;
+    out.friction = lostFriction_;
     for (const auto& pair : state_.pairs) {
         for (const double energy : pair.spring.toHost()) out.contact += energy;
         for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+        for (const double energy : pair.damped.toHost()) out.contactDamping += energy;
+        for (const double work : pair.surfaceWork.toHost()) out.external += work;
     }
     if (ledger_) {
         const auto sums = works();
         out.damping = sums[NodeWork::damping];
-        out.external = sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
-                       + sums[driveAfter] + closing;
+        out.external += sums[externalBefore] + sums[externalAfter] + sums[driveBefore]
+                        + sums[driveAfter] + closing;
     }
     out.total = out.kinetic + out.internal + out.hourglass + out.bulkViscosity + out.contact
-                + out.friction + out.damping;
+                + out.friction + out.contactDamping + out.damping;
     // A body that friction has brought to rest is judged by the energy it came with.
+    const double lost = out.friction + out.contactDamping + out.damping;
     const double scale =
-        std::max({out.kinetic, out.internal, std::abs(out.external), out.friction, startEnergy_});
+        std::max({out.kinetic, out.internal, std::abs(out.external), lost, startEnergy_});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
 }
@@ -80,8 +93,30 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
     const std::size_t count = spring.size();
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t i = 0; i < count; ++i) out.force[c] += force[c * count + i];
-    for (const double energy : spring) out.active += energy > 0;
+    for (const double energy : spring) {
+        out.active += energy > 0;
+        out.spring += energy;
+    }
+    for (const double energy : pair.dissipated.toHost()) out.friction += energy;
+    for (const double energy : pair.damped.toHost()) out.damping += energy;
     out.released = pair.released.toHost()[0];
+    return out;
+}
+
+template <class Precision, class Executor>
+NodeLimit ExplicitSolver<Precision, Executor>::contactLimit()
+{
+    executor_.synchronize();
+    NodeLimit out;
+    const std::vector<std::int64_t> sum = state_.contactSum.toHost();
+    double most = 0;
+    for (std::size_t i = 0; i < data_.contactNodes.size(); ++i) {
+        const double square =
+            data_.contactScale.toStiffness(sum[4 * i + 3]) * data_.contactInverseMass[i];
+        if (!(square > most)) continue;
+        most = square;
+        out = {data_.contactNodes[i], std::sqrt(square)};
+    }
     return out;
 }
 
@@ -91,8 +126,9 @@ NodeValues ExplicitSolver<Precision, Executor>::nodeValues(const std::vector<Ind
     const std::size_t count = nodes.empty() ? std::size_t(data_.nodeCount) : nodes.size();
     const Array<Index, Executor> list(nodes);
     Array<double, Executor> out(sampleValues * count);
-    executor_.parallelFor(Index(count),
-                          NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count)});
+    executor_.parallelFor(
+        Index(count), NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count),
+                                            state_.body.bodyOf.data(), state_.body.bodies.data()});
     executor_.synchronize();
     return {out.toHost(), count};
 }
@@ -102,7 +138,7 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
 {
     executor_.synchronize();
     const auto state = state_.state.toHost();
-    const auto strain = state_.plasticStrain.toHost();
+    const auto sums = state_.plasticStrain.toHost();
     ElementValues out;
     for (Index element = 0; element < data_.elementCount; ++element) {
         const ElementPlace place = data_.placeOf(element);
@@ -114,9 +150,20 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
                 sum += double(values[first + std::size_t(step * point) * place.stride]);
             return count > 0 ? sum / count : 0.0;
         };
+        const double strain = mean(sums, place.strains, 1, layout.strains());
+        const bool deleted = isDeleted(strain);
         for (std::size_t k = 0; k < 6; ++k)
-            out.stress.push_back(mean(state, place.state + k * place.stride, 6, layout.points));
-        out.plasticStrain.push_back(mean(strain, place.strains, 1, layout.strains()));
+            out.stress.push_back(
+                deleted ? 0 : mean(state, place.state + k * place.stride, 6, layout.points));
+        out.plasticStrain.push_back(plasticStrainOf(strain));
+        out.deleted.push_back(deleted);
+        out.eroded.push_back(deleted ? double(state[place.state]) : 0);
+        const double start = data_.materials[place.part].general.temperature;
+        if (data_.heats)
+            out.temperature.push_back(
+                start
+                + mean(sums, place.strains + std::size_t(layout.temperature(0)) * place.stride, 1,
+                       layout.heats ? layout.points : 0));
     }
     return out;
 }
@@ -135,7 +182,7 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
         const StateLayout& layout = data_.layouts[place.part];
         for (std::size_t k = 0; k < std::size_t(layout.size()); ++k)
             hash = hashed(hash, state[place.state + k * place.stride]);
-        for (std::size_t k = 0; k < std::size_t(layout.strains()); ++k)
+        for (std::size_t k = 0; k < std::size_t(layout.sums()); ++k)
             hash = hashed(hash, strain[place.strains + k * place.stride]);
     }
     for (const auto& pair : state_.pairs)

@@ -1,11 +1,24 @@
 #include "solver/Histories.h"
 
+#include "mesh/Vector.h"
+
+#include <algorithm>
+
 namespace fpm {
 
 std::vector<std::string> energyColumns()
 {
-    return {"time",    "kinetic",  "internal", "plastic",  "hourglass", "bulkViscosity",
-            "contact", "friction", "damping",  "external", "total",     "balance"};
+    return {"time",          "kinetic", "internal", "plastic",        "hourglass",
+            "bulkViscosity", "contact", "friction", "contactDamping", "damping",
+            "external",      "total",   "balance",  "kineticShare"};
+}
+
+std::vector<std::string> rigidBodyColumns()
+{
+    std::vector<std::string> columns{"time"};
+    for (const char* quantity : {"u", "v", "w", "bodyW", "f", "m"})
+        for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string(quantity) + axis);
+    return columns;
 }
 
 namespace {
@@ -18,12 +31,22 @@ std::pair<int, std::string> fieldQuantity(const std::string& field)
     return {0, "u"};
 }
 
+/// What moves the condition or surface of a reaction; value 0 where it is held.
+Condition driveOf(const History& history, const Model& model, std::vector<double>& rows)
+{
+    if (history.surface >= 0) {
+        const RigidSurface& surface = model.rigidSurfaces[std::size_t(history.surface)];
+        return surfaceMotion(surface, rows);
+    }
+    return conditionOf(model.boundaryConditions[std::size_t(history.condition)], rows);
+}
+
 } // namespace
 
 Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) : model_(model)
 {
     for (const History& history : model.control.histories) {
-        Channel channel{&history, {}};
+        Channel channel{&history, {}, {}, {}};
         const auto folder = caseRoot / "postProcessing" / history.name / "0";
         const auto add = [&](const std::string& file, const std::vector<std::string>& columns) {
             channel.files.push_back(
@@ -44,7 +67,11 @@ Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) 
             }
             break;
         case History::Kind::reaction:
-            add("reaction", {"time", "fx", "fy", "fz"});
+            add("reaction", {"time", "travel", "fx", "fy", "fz"});
+            channel.drive = driveOf(history, model, channel.driveRows);
+            break;
+        case History::Kind::rigidBody:
+            add("rigidBody", rigidBodyColumns());
             break;
         }
         channels_.push_back(std::move(channel));
@@ -56,8 +83,8 @@ void Histories::sample(Solver& solver, const Energies& e)
     for (Channel& channel : channels_) switch (channel.history->kind) {
         case History::Kind::energies:
             channel.files[0]->append({e.time, e.kinetic, e.internal, e.plastic, e.hourglass,
-                                      e.bulkViscosity, e.contact, e.friction, e.damping, e.external,
-                                      e.total, e.balance});
+                                      e.bulkViscosity, e.contact, e.friction, e.contactDamping,
+                                      e.damping, e.external, e.total, e.balance, e.kineticShare()});
             break;
         case History::Kind::contactForces:
             sampleContact(channel, solver, e.time);
@@ -67,6 +94,9 @@ void Histories::sample(Solver& solver, const Energies& e)
             break;
         case History::Kind::reaction:
             sampleReaction(channel, solver, e.time);
+            break;
+        case History::Kind::rigidBody:
+            sampleBody(channel, solver, e.time);
             break;
         }
 }
@@ -84,15 +114,41 @@ void Histories::samplePoint(Channel& channel, Solver& solver, double time)
     }
 }
 
-/// Force the condition exerts on the body: what balances element, contact and load forces. The
-/// inertia of the driven nodes themselves is not part of it.
+/// Force the condition or surface exerts on the body. Of a condition: what balances element,
+/// contact and load forces; the inertia of the driven nodes themselves is not part of it.
 void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
 {
-    const NodeValues values = solver.nodeValues(channel.history->nodes);
+    const History& history = *channel.history;
     Point sum{0, 0, 0};
-    for (std::size_t i = 0; i < values.count; ++i)
-        for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
-    channel.files[0]->append({time, sum[0], sum[1], sum[2]});
+    if (history.surface >= 0) {
+        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair) {
+            if (model_.contactPairs[pair].surface != history.surface) continue;
+            const PairForce force = solver.pairForce(pair);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += force.force[c];
+        }
+    } else {
+        const NodeValues values = solver.nodeValues(history.nodes);
+        for (std::size_t i = 0; i < values.count; ++i)
+            for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
+    }
+    const Point value{channel.drive.value[0], channel.drive.value[1], channel.drive.value[2]};
+    const double size = vector::length(value);
+    const double travel =
+        size > 0 ? size * travelAt(channel.drive, channel.driveRows.data(), time) : 0;
+    channel.files[0]->append(
+        {time, travel, history.factor * sum[0], history.factor * sum[1], history.factor * sum[2]});
+}
+
+void Histories::sampleBody(Channel& channel, Solver& solver, double time)
+{
+    const std::vector<Index>& parts = solver.data().body.part;
+    const auto part = std::find(parts.begin(), parts.end(), channel.history->part);
+    const BodyMotionValues body = solver.bodyMotion(std::size_t(part - parts.begin()));
+    std::vector<double> row{time};
+    for (const Point& value :
+         {body.displacement, body.velocity, body.spin, body.localSpin, body.force, body.moment})
+        row.insert(row.end(), value.begin(), value.end());
+    channel.files[0]->append(row);
 }
 
 void Histories::sampleContact(Channel& channel, Solver& solver, double time)

@@ -21,14 +21,21 @@ private:
     struct Channel {
         const History* history;
         std::vector<std::unique_ptr<HistoryFile>> files; ///< one a field or contact pair
+        Condition drive;               ///< reaction: what its condition or surface is moved by
+        std::vector<double> driveRows; ///< its amplitude
     };
     void samplePoint(Channel& channel, Solver& solver, double time);
     void sampleReaction(Channel& channel, Solver& solver, double time);
+    void sampleBody(Channel& channel, Solver& solver, double time);
     void sampleContact(Channel& channel, Solver& solver, double time);
 
     const Model& model_;
     std::vector<Channel> channels_;
 };
+
+/// Column names of rigidBody.dat: displacement and velocity of the centre, angular velocity in
+/// global axes and in axes that turn with the body, force and moment of contact and loads.
+std::vector<std::string> rigidBodyColumns();
 
 /// Column names of energies.dat.
 std::vector<std::string> energyColumns();

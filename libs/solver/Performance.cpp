@@ -2,9 +2,11 @@
 
 #include "base/Format.h"
 #include "io/AtomicFile.h"
-#include "kernels/element/Gradient.h"
+#include "solver/ElementStep.h"
+#include "solver/PenaltyData.h"
 #include "solver/TimeLoop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -19,29 +21,29 @@ std::size_t contactors(const Model& model)
     return sum;
 }
 
-/// Stable step of an element at given positions; negative when its volume is not positive.
-double elementStep(const Solver& solver, const Model& model, const NodeValues& nodes, Index element)
+/// Stable step of an element at given positions; negative when it is turned inside out.
+double stepOf(const Solver& solver, const Model& model, const NodeValues& nodes, Index element)
 {
     const SolverData& data = solver.data();
-    const Part& part = model.parts[std::size_t(model.mesh.partOf(element))];
-    Modes<double> x{};
-    for (int c = 0; c < 3; ++c) {
-        double corner[8], modes[8];
-        for (std::size_t i = 0; i < 8; ++i)
-            corner[i] = nodes.at(
-                0, std::size_t(model.mesh.hexahedra[std::size_t(element)][i]))[std::size_t(c)];
-        toModes(corner, modes);
-        for (int m = 1; m < 8; ++m)
-            (c == 0 ? x.mode[m].x : c == 1 ? x.mode[m].y : x.mode[m].z) = modes[m];
+    std::array<Point, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+        corners[i] = nodes.at(0, std::size_t(model.mesh.hexahedra[std::size_t(element)][i]));
+    return stableStep(model.parts[std::size_t(model.mesh.partOf(element))], corners,
+                      data.massOf(element));
+}
+
+/// Names of the pairs a contact node belongs to.
+std::string pairsOf(const SolverData& data, Index node)
+{
+    std::string names;
+    for (const PairData& pair : data.pairs) {
+        const auto among = [&](const std::vector<Index>& nodes) {
+            return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+        };
+        if (among(pair.contactor) || among(pair.target))
+            names += (names.empty() ? "" : ", ") + pair.name;
     }
-    const Gradient<double> gradient = meanGradient(x);
-    const double volume = gradient.volume64 / 64, square = gradientSquare512(gradient) / 512;
-    if (!(volume > 0)) return -1;
-    const double mass = data.elementMass[data.tileOf(element)
-                                         + std::size_t(data.elementPlace[std::size_t(element)])];
-    const double modulus = materialConstants(part).pressureWaveModulus;
-    const double z = part.linearBulkViscosity;
-    return std::sqrt(mass * volume / (2 * modulus * square)) * (std::sqrt(1 + z * z) - z);
+    return names;
 }
 
 } // namespace
@@ -52,8 +54,8 @@ std::string worstElement(Solver& solver, const Model& model)
     Index worst = 0, inverted = 0;
     double least = 1e300;
     for (Index element = 0; element < Index(model.mesh.hexahedra.size()); ++element) {
-        if (model.parts[std::size_t(model.mesh.partOf(element))].kind == PartKind::rigid) continue;
-        const double step = elementStep(solver, model, nodes, element);
+        if (isRigid(model.parts[std::size_t(model.mesh.partOf(element))].kind)) continue;
+        const double step = stepOf(solver, model, nodes, element);
         inverted += !(step > 0);
         if (step < least || !(step == step)) {
             least = step;
@@ -67,6 +69,54 @@ std::string worstElement(Solver& solver, const Model& model)
         return where + (inverted > 1 ? format(" and {} others have", inverted - 1) : " has")
                + " no positive volume any more";
     return where + format(", stable step {}", least);
+}
+
+void reportMassScaling(const Solver& solver, Log& log)
+{
+    const SolverData& data = solver.data();
+    if (data.scaledElements == 0) return;
+    double own = 0, scaled = 0;
+    for (std::size_t i = 0; i < data.nodeMass.size(); ++i) {
+        own += data.ownNodeMass[i];
+        scaled += data.nodeMass[i];
+    }
+    log.line(format("mass scaling: {} added to {} ({} %), {} of {} elements",
+                    toText(scaled - own, 5), toText(own, 5), toText(100 * (scaled / own - 1), 5),
+                    data.scaledElements, data.elementCount));
+}
+
+std::string stepLimit(Solver& solver, const Model& model)
+{
+    const StepClock clock = solver.clock();
+    if (model.control.fixedTimeStep > 0) return "timeStep.fixed";
+    const double element = 2 / clock.elementStep, contact = clock.contactFrequency;
+    const double plain = model.control.timeStepSafety * clock.stableStep;
+    if (contact < element && contact * plain <= model.control.contactStepLimit)
+        return worstElement(solver, model);
+    const NodeLimit limit = solver.contactLimit();
+    if (limit.node < 0) return worstElement(solver, model);
+    const Point at = solver.nodeValues({limit.node}).at(0, 0);
+    return format("contact pair {}: node {} at ({} {} {}), omega {}",
+                  pairsOf(solver.data(), limit.node), limit.node, at[0], at[1], at[2],
+                  limit.frequency);
+}
+
+void reportPairs(Solver& solver, const Model& model, Log& log)
+{
+    for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
+        const ContactPair& pair = model.contactPairs[number];
+        const PairForce now = solver.pairForce(number);
+        std::string line =
+            format("pair {}: {} in touch, springs up to {}, held {}", pair.name, now.active,
+                   largestStiffness(solver.data().pairs[number]), now.spring);
+        if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
+        if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
+        log.line(line);
+        if (now.released > 0)
+            log.warning(format("{} contactor nodes of pair {} went deeper than the target is "
+                               "thick and were let go",
+                               now.released, pair.name));
+    }
 }
 
 void reportPerformance(Solver& solver, const Model& model, Run& run)
@@ -105,11 +155,12 @@ namespace {
 
 void reportKernels(const Solver& solver, const Model& model, Log& log)
 {
-    bool elastic = false, plastic = false, general = false;
+    bool elastic = false, plastic = false, general = false, selective = false;
     for (const KernelGroup& group : solver.data().groups)
-        (group.general                           ? general
-         : group.kind == PartKind::elastoplastic ? plastic
-                                                 : elastic) = true;
+        (group.hexahedron == HexahedronForm::selective ? selective
+         : group.general                               ? general
+         : group.kind == PartKind::elastoplastic       ? plastic
+                                                       : elastic) = true;
     const auto used = [&](bool here, const std::string& name) {
         log.line((here ? "  needed    " : "  left out  ") + name);
     };
@@ -117,19 +168,26 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(elastic, "elastic hexahedra");
     used(plastic, "elastoplastic hexahedra (radial return)");
     used(general, "hexahedra with options chosen at run time (rotation)");
+    used(selective, "hexahedra of eight points with mean dilatation");
     for (const auto& [form, name] : {std::pair{HourglassForm::stiffness, "stiffness"},
                                      std::pair{HourglassForm::viscous, "viscous"},
                                      std::pair{HourglassForm::physical, "physical"}}) {
         bool here = false;
-        for (const KernelGroup& group : solver.data().groups) here |= group.hourglass == form;
+        for (const KernelGroup& group : solver.data().groups)
+            here |= group.hexahedron == HexahedronForm::reduced && group.hourglass == form;
         used(here, std::string("hourglass control, ") + name);
     }
-    used(!model.contactPairs.empty(), "contact search, tracking and force");
-    bool friction = false;
-    for (const ContactPair& pair : model.contactPairs) friction |= pair.friction > 0;
+    bool friction = false, faces = false, surfaces = false;
+    for (const ContactPair& pair : model.contactPairs) {
+        friction |= pair.friction > 0;
+        (pair.surface < 0 ? faces : surfaces) = true;
+    }
+    used(faces, "contact search, tracking and force");
+    used(surfaces, "contact with analytic surfaces");
     used(friction, "friction");
     used(!solver.data().conditions.empty(), "drives and loads, ledger of nodal works");
     used(model.control.massDamping > 0, "mass damping");
+    used(model.control.relaxationTolerance > 0, "dynamic relaxation");
     used(solver.data().rigidParts, "rigid parts (no element work)");
 }
 
@@ -143,8 +201,7 @@ void reportDryRun(Solver& solver, const Model& model, Log& log)
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
                     solver.data().patches.size(), contactors(model), model.contactPairs.size(),
                     toText(double(memory) / 1e6, 3)));
-    log.line("limiting " + worstElement(solver, model));
-
+    reportMassScaling(solver, log);
     // A few real steps tell the step size with contact, and what a step costs.
     solver.advance(model.control.endTime, 50);
     const StepClock clock = solver.clock();
@@ -152,6 +209,7 @@ void reportDryRun(Solver& solver, const Model& model, Log& log)
     log.line(format("time step {} (elements alone {}, contact omega {}), about {} steps",
                     toText(clock.step, 4), toText(clock.elementStep, 4),
                     toText(clock.contactFrequency, 4), toText(steps, 3)));
+    log.line("limited by " + stepLimit(solver, model));
     const double seconds =
         solver.times().total / double(std::max<std::int64_t>(1, clock.steps)) * steps;
     log.line(format("expected time {} s ({})", toText(seconds, 2), solver.description()));

@@ -13,12 +13,18 @@ namespace fpm {
 struct Energies {
     double time = 0;
     double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
-    double contact = 0; ///< recoverable, in the penalty springs
-    double friction = 0, damping = 0;
-    double external = 0; ///< done by loads and drives
+    double contact = 0; ///< in the penalty springs, recoverable but for those of deleted faces
+    double friction = 0, contactDamping = 0, damping = 0;
+    double external = 0; ///< done by loads, drives and moving surfaces
     double total = 0;    ///< everything held or dissipated
-    double balance = 0;  ///< (total - external - start) / largest of kinetic, internal,
-                         ///< external, friction, start
+    /// Kinetic over what elements hold and have dissipated: how much inertia there is in a slow
+    /// run.
+    double kineticShare() const
+    {
+        return internal + hourglass > 0 ? kinetic / (internal + hourglass) : 0;
+    }
+    double balance = 0; ///< (total - external - start) / largest of kinetic, internal, external,
+                        ///< lost to friction and damping, start
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.
@@ -27,9 +33,26 @@ struct NodalWorks {
 };
 
 struct PairForce {
-    Point force{0, 0, 0};      ///< on the contactor
-    Index active = 0;          ///< contactors in touch
-    std::int64_t released = 0; ///< let go since the start because they went too deep
+    Point force{0, 0, 0};             ///< on the contactor
+    Index active = 0;                 ///< contactors in touch
+    std::int64_t released = 0;        ///< let go since the start because they went too deep
+    double spring = 0;                ///< recoverable energy of its springs
+    double friction = 0, damping = 0; ///< dissipated since the start
+};
+
+/// The node whose contact springs are the stiffest for its mass; -1: none.
+struct NodeLimit {
+    Index node = -1;
+    double frequency = 0; ///< omega_c
+};
+
+/// A rigid body at one time, in global axes.
+struct BodyMotionValues {
+    Point displacement, velocity, spin; ///< of the centre; angular velocity [rad/time]
+    Point localSpin;                    ///< in axes that turn with the body, global at the start
+    Point force, moment;                ///< of contact and loads, about the centre
+    Point momentum;                     ///< angular, about the centre
+    double kinetic = 0, halfStepKinetic = 0; ///< the latter at v^(n-1/2)
 };
 
 /// Seconds spent; on a GPU only the total is known without disturbing the run.
@@ -52,6 +75,9 @@ struct NodeValues {
 struct ElementValues {
     std::vector<double> stress;        ///< [element][6], XX YY ZZ XY YZ XZ
     std::vector<double> plasticStrain; ///< [element]
+    std::vector<bool> deleted;         ///< [element]
+    std::vector<double> eroded;        ///< [element], elastic energy at its deletion
+    std::vector<double> temperature;   ///< [element]; empty where no part heats
 };
 
 /// A model in motion. One abstract door; behind it everything is compiled for one precision and one
@@ -70,6 +96,8 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual BodyMotionValues bodyMotion(std::size_t body) = 0; ///< as SolverData::body
+    virtual NodeLimit contactLimit() = 0;
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.

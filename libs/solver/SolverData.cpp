@@ -10,6 +10,44 @@
 
 namespace fpm {
 
+namespace {
+
+bool softensHourglass(const Part& part)
+{
+    return part.kind == PartKind::elastoplastic && part.hourglass == HourglassForm::physical
+           && part.hourglassPlastic == HourglassPlastic::tangent;
+}
+
+static_assert(int(RateDependence::cowperSymonds) == int(RateLaw::cowperSymonds)
+              && int(RateDependence::johnsonCook) == int(RateLaw::logarithmic));
+
+GeneralConstants<double> generalConstants(const Part& part)
+{
+    GeneralConstants<double> g{};
+    g.rotation = RotationRule(int(part.rotation));
+    g.erodes = part.erosion.any();
+    g.erodesInverted = part.erosion.inverted;
+    g.erosionStrain = part.erosion.plasticStrain > 0 ? part.erosion.plasticStrain : 1e30;
+    const Flow& flow = part.flow;
+    g.temperature = flow.temperature;
+    if (part.kind != PartKind::elastoplastic) return g;
+    g.tangentHourglass = softensHourglass(part);
+    g.kinematicModulus = flow.kinematicModulus;
+    g.powerModulus = flow.powerModulus;
+    g.powerExponent = flow.powerExponent;
+    g.rateLaw = RateLaw(int(flow.rate));
+    g.referenceRate = flow.referenceRate;
+    g.rateCoefficient = flow.rateCoefficient;
+    g.heatPerWork = flow.heatFraction > 0 ? flow.heatFraction / flow.specificHeat : 0;
+    g.softeningExponent = flow.softeningExponent;
+    g.roomTemperature = flow.roomTemperature;
+    if (flow.softeningExponent > 0)
+        g.inverseMeltingRange = 1 / (flow.meltingTemperature - flow.roomTemperature);
+    return g;
+}
+
+} // namespace
+
 MaterialConstants<double> materialConstants(const Part& part)
 {
     MaterialConstants<double> m{};
@@ -30,7 +68,8 @@ MaterialConstants<double> materialConstants(const Part& part)
                                  && part.kind == PartKind::elastoplastic
                              ? 1
                              : 0;
-    m.rows = int(std::min<std::size_t>(part.hardening.size(), maxHardeningRows));
+    static_assert(mostHardeningRows <= std::size_t(maxHardeningRows));
+    m.rows = int(part.hardening.size());
     for (int row = 0; row < m.rows; ++row) {
         const Hardening& here = part.hardening[std::size_t(row)];
         m.strain[row] = here.equivalentPlasticStrain;
@@ -42,13 +81,16 @@ MaterialConstants<double> materialConstants(const Part& part)
         } else // the last slope continues
             m.slope[row] = row > 0 ? m.slope[row - 1] : 0;
     }
-    m.general.rotation = RotationRule(int(part.rotation));
+    m.general = generalConstants(part);
     return m;
 }
 
 bool needsGeneralPlasticity(const Part& part)
 {
-    return part.rotation != RotationForm::midSurface;
+    return part.rotation != RotationForm::midSurface || part.hexahedron == HexahedronForm::selective
+           || part.erosion.any()
+           || (part.kind == PartKind::elastoplastic
+               && (part.flow != Flow{} || softensHourglass(part)));
 }
 
 namespace {
@@ -60,9 +102,16 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
 /// What the elements of a part keep from step to step, as the kernel of its group has it.
 StateLayout stateLayout(const Part& part)
 {
-    if (part.kind == PartKind::rigid) return {0, 0, false};
-    return {1, part.hourglass == HourglassForm::viscous ? 0 : 12,
-            part.kind == PartKind::elastoplastic};
+    if (isRigid(part.kind)) return {0, 0, false};
+    const bool plastic = part.kind == PartKind::elastoplastic;
+    StateLayout layout{1, part.hourglass == HourglassForm::viscous ? 0 : 12,
+                       plastic || part.erosion.any(), plastic && part.flow.kinematicModulus > 0,
+                       plastic && part.flow.heatFraction > 0};
+    if (part.hexahedron == HexahedronForm::selective) {
+        layout.points = SelectiveIntegration::points;
+        layout.hourglass = SelectiveIntegration::stateSize;
+    }
+    return layout;
 }
 
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
@@ -89,7 +138,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
                                 patch.part, data.stateSize, data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
-        data.strainCount += std::size_t(layout.strains()) * std::size_t(stride);
+        data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
         data.maxPatchNodes = std::max(data.maxPatchNodes, std::size_t(patch.nodeCount));
         data.corners.resize(8 * std::size_t(tile + stride));
         data.elementMass.resize(std::size_t(tile + stride));
@@ -115,18 +164,21 @@ void addGroups(SolverData& data, const Model& model)
 {
     for (std::size_t i = 0; i < data.patches.size(); ++i) {
         const Part& part = model.parts[std::size_t(data.patches[i].material)];
-        if (part.kind == PartKind::rigid) {
+        if (isRigid(part.kind)) {
             data.rigidParts = true;
             continue;
         }
         const bool general = needsGeneralPlasticity(part);
+        const bool selective = part.hexahedron == HexahedronForm::selective;
         const auto same = [&](const KernelGroup& group) {
             return group.general == general && (general || group.kind == part.kind)
-                   && group.hourglass == part.hourglass;
+                   && group.hexahedron == part.hexahedron
+                   && (selective || group.hourglass == part.hourglass);
         };
         auto group = std::find_if(data.groups.begin(), data.groups.end(), same);
         if (group == data.groups.end())
-            group = data.groups.insert(group, {part.kind, general, part.hourglass, {}});
+            group = data.groups.insert(group,
+                                       {part.kind, general, part.hexahedron, part.hourglass, {}});
         group->patches.push_back(Index(i));
     }
 }
@@ -134,97 +186,66 @@ void addGroups(SolverData& data, const Model& model)
 void addMass(SolverData& data, const Model& model)
 {
     data.nodeMass.assign(std::size_t(data.nodeCount), 0.0);
+    data.ownNodeMass = data.nodeMass;
     for (Index element = 0; element < data.elementCount; ++element) {
-        const double mass =
-            data.elementMass[data.tileOf(element)
-                             + std::size_t(data.elementPlace[std::size_t(element)])];
-        for (const Index node : model.mesh.hexahedra[std::size_t(element)])
+        const double mass = data.massOf(element);
+        const double own = model.parts[std::size_t(model.mesh.partOf(element))].density
+                           * volume(model.mesh, element);
+        for (const Index node : model.mesh.hexahedra[std::size_t(element)]) {
             data.nodeMass[std::size_t(node)] += mass / 8;
+            data.ownNodeMass[std::size_t(node)] += own / 8;
+        }
     }
 }
 
-/// Factor of the value that a driven node moves with at time 0: a body driven from the start is in
-/// motion then, it is not struck.
-double startFactor(const Condition& condition, const std::vector<double>& rows)
+void addRelaxation(SolverData& data, const Model& model)
 {
-    if (condition.kind == 1) return amplitudeAt(condition, rows.data(), 0);
-    const double* row = rows.data() + 2 * std::size_t(condition.firstRow);
-    for (Index i = 1; i < condition.rowCount; ++i) {
-        const double before = row[2 * i - 2], after = row[2 * i], length = after - before;
-        if (!(before <= 0 && 0 < after)) continue;
-        const double tau = -before / length, slope = (row[2 * i + 1] - row[2 * i - 1]) / length;
-        return condition.smooth ? slope * 30 * tau * tau * (1 - tau) * (1 - tau) : slope;
-    }
-    return 0;
-}
-
-void addMotion(SolverData& data, const Model& model)
-{
-    data.velocity.assign(std::size_t(data.nodeCount), Point{0, 0, 0});
-    data.fixed.assign(std::size_t(data.nodeCount), 0);
-    for (const InitialVelocity& initial : model.initialVelocities)
-        for (const Index node : initial.nodes) data.velocity[std::size_t(node)] = initial.velocity;
-
-    std::vector<std::pair<Index, Index>> uses; // node, condition
-    for (const BoundaryCondition& condition : model.boundaryConditions) {
-        int components = 0;
-        for (int c = 0; c < 3; ++c) components |= int(condition.constrains[std::size_t(c)]) << c;
-        if (condition.kind == BoundaryCondition::Kind::fixed) {
-            for (const Index node : condition.nodes) {
-                data.fixed[std::size_t(node)] |= std::uint8_t(components);
-                for (int c = 0; c < 3; ++c)
-                    if ((components >> c) & 1) data.velocity[std::size_t(node)][std::size_t(c)] = 0;
-            }
-            continue;
-        }
-        Condition out{};
-        out.kind = condition.kind == BoundaryCondition::Kind::displacement ? 0
-                   : condition.kind == BoundaryCondition::Kind::velocity   ? 1
-                                                                           : 2;
-        out.components = components;
-        out.smooth = condition.amplitude.kind == Amplitude::Kind::smooth;
-        out.firstRow = Index(data.amplitudeRows.size() / 2);
-        out.rowCount = Index(condition.amplitude.rows.size());
-        for (const auto& row : condition.amplitude.rows) {
-            data.amplitudeRows.push_back(row[0]);
-            data.amplitudeRows.push_back(row[1]);
-        }
-        const double share = out.kind == 2 ? 1.0 / double(condition.nodes.size()) : 1.0;
-        for (int c = 0; c < 3; ++c) out.value[c] = share * condition.value[std::size_t(c)];
-        if (out.kind != 2)
-            for (const Index node : condition.nodes)
-                for (int c = 0; c < 3; ++c)
-                    if ((components >> c) & 1)
-                        data.velocity[std::size_t(node)][std::size_t(c)] =
-                            out.value[c] * startFactor(out, data.amplitudeRows);
-        for (const Index node : condition.nodes)
-            uses.emplace_back(node, Index(data.conditions.size()));
-        data.conditions.push_back(out);
-    }
-    if (uses.empty()) return;
-    std::sort(uses.begin(), uses.end());
-    data.conditionStart.assign(std::size_t(data.nodeCount) + 1, 0);
-    for (const auto& [node, condition] : uses) {
-        ++data.conditionStart[std::size_t(node) + 1];
-        data.conditionOf.push_back(condition);
-    }
-    for (std::size_t i = 1; i < data.conditionStart.size(); ++i)
-        data.conditionStart[i] += data.conditionStart[i - 1];
+    data.relaxation.tolerance = model.control.relaxationTolerance;
+    for (const Condition& condition : data.conditions)
+        if (condition.rowCount > 1)
+            data.relaxation.heldFrom = std::max(
+                data.relaxation.heldFrom,
+                data.amplitudeRows[2 * std::size_t(condition.firstRow + condition.rowCount - 1)]);
 }
 
 } // namespace
+
+Condition makeCondition(std::int32_t kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows)
+{
+    Condition out{};
+    out.kind = kind;
+    out.smooth = amplitude.kind == Amplitude::Kind::smooth;
+    out.firstRow = Index(amplitudeRows.size() / 2);
+    out.rowCount = Index(amplitude.rows.size());
+    for (const auto& row : amplitude.rows) {
+        amplitudeRows.push_back(row[0]);
+        amplitudeRows.push_back(row[1]);
+    }
+    for (std::size_t c = 0; c < 3; ++c) out.value[c] = value[c];
+    return out;
+}
 
 SolverData makeSolverData(const Model& model)
 {
     SolverData data;
     data.nodeCount = Index(model.mesh.points.size());
     data.elementCount = Index(model.mesh.hexahedra.size());
-    for (const Part& part : model.parts) data.materials.push_back(materialConstants(part));
+    for (const Part& part : model.parts) {
+        data.materials.push_back(materialConstants(part));
+        data.erodes |= data.materials.back().general.erodes;
+        data.heats |= data.materials.back().general.heatPerWork > 0;
+    }
     addPatches(data, model, makePatches(model.mesh));
     addGroups(data, model);
+    scaleMass(data, model);
     addMass(data, model);
     addMotion(data, model);
+    addRelaxation(data, model);
     if (!model.contactPairs.empty()) addContact(data, model);
+    addLoadedBodyNodes(data);
     return data;
 }
 

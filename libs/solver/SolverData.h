@@ -1,18 +1,20 @@
 #pragma once
 
-#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/RigidSurface.h"
 #include "kernels/element/ElementPass.h"
-#include "kernels/particle/Amplitude.h"
+#include "kernels/particle/BodyNodes.h"
+#include "kernels/particle/Relaxation.h"
 #include "mesh/Patches.h"
 #include "model/Model.h"
 
 namespace fpm {
 
-/// Patches that share a kernel: same material law and hourglass form.
+/// Patches that share a kernel: same material law and element.
 struct KernelGroup {
     PartKind kind;
     bool general; ///< GeneralPlasticity, whatever the kind
-    HourglassForm hourglass;
+    HexahedronForm hexahedron;
+    HourglassForm hourglass; ///< without meaning for selective
     std::vector<Index> patches;
 };
 
@@ -20,13 +22,17 @@ struct KernelGroup {
 struct PairData {
     std::string name;
     ContactSearch search = ContactSearch::faces;
-    double friction = 0, tangentialRatio = 0.1;
+    ContactLaw law;
+    Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
+    double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
     double cellSize = 0;
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, neighbour;
-    std::vector<double> faceStiffness, faceThickness;
+    std::vector<double> faceStiffness, faceThickness, faceMass;
+    std::vector<double> contactorStiffness; ///< empty where the faces' alone count
+    std::vector<double> contactorMass;
     std::vector<Index> target, targetFaceStart, targetFaces;
 };
 
@@ -34,6 +40,20 @@ struct PairData {
 /// values follow `stride` apart.
 struct ElementPlace {
     std::size_t part, state, strains, stride;
+};
+
+/// Free rigid bodies, one a rigidFree part.
+struct BodyData {
+    std::vector<Index> part;
+    std::vector<RigidBody> bodies;
+    std::vector<Index> bodyOf; ///< of each node, -1; empty without bodies
+    std::vector<Index> nodes;  ///< of all bodies
+    std::vector<Point> arm;    ///< of each of them, from the centre
+    std::vector<Index> useStart;
+    std::vector<ConditionUse> uses; ///< loads on a body as a whole
+    std::vector<BodyBlock> blocks;
+    std::vector<Index> blockStart, loaded; ///< nodes that may feel a force
+    std::vector<double> inverseMass;       ///< of each of them, for contact springs
 };
 
 /// Everything the solver uploads, in double and in the layout of the kernels.
@@ -49,17 +69,27 @@ struct SolverData {
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
     std::vector<double> elementMass; ///< tiles of 1
-    std::vector<double> nodeMass;
+    std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
+    std::vector<double> ownNodeMass; ///< without: what weighs
+    std::size_t scaledElements = 0;
+    RelaxationRules relaxation;  ///< tolerance 0: none
     std::vector<Point> velocity; ///< initial
     std::vector<std::uint8_t> fixed;
-    std::vector<Index> conditionStart, conditionOf;
+    std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
+    std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
     std::vector<double> amplitudeRows;
+    std::vector<Index> frameOf; ///< see NodePass
+    std::vector<double> frames;
+    std::vector<Index> pressureFaceNode, pressureFaceCondition, pressureStart, pressureSlots;
+    BodyData body;
     bool rigidParts = false;
+    bool erodes = false, heats = false; ///< some part does
 
     std::vector<PairData> pairs;
-    std::vector<Index> contactNodes;  ///< node of each contact node
-    std::vector<Index> contactNumber; ///< of each node, -1; empty without contact
+    std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
+    std::vector<Index> contactNodes;    ///< node of each contact node
+    std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
     std::vector<double> contactInverseMass;
     ForceScale contactScale;
 
@@ -72,14 +102,33 @@ struct SolverData {
         return {std::size_t(patch.material), patch.state + e, patch.strains + e,
                 std::size_t(patch.stride)};
     }
+    double massOf(Index element) const
+    {
+        return elementMass[tileOf(element) + std::size_t(elementPlace[std::size_t(element)])];
+    }
     std::vector<std::size_t> elementTile; ///< tile start of the element's patch
     std::vector<Index> elementPlace, elementPatch;
 };
 
 /// Builds the data of a validated model. Throws Error(mesh) for a node without mass.
 SolverData makeSolverData(const Model& model);
+/// Conditions, initial velocities and bodies of makeSolverData; after masses, before contact.
+void addMotion(SolverData& data, const Model& model);
+/// Bodies of rigidFree parts. `numbers`: condition of each boundary condition, -1 for fixed.
+void addBodies(SolverData& data, const Model& model, const std::vector<Index>& numbers);
+/// Nodes of bodies with contact or loads; after addContact.
+void addLoadedBodyNodes(SolverData& data);
 /// The contact part of makeSolverData.
 void addContact(SolverData& data, const Model& model);
+/// Mass scaling of the elements: elementMass, scaledElements. Masses of nodes come after it.
+void scaleMass(SolverData& data, const Model& model);
+/// Amplitude and value of a drive or load, its rows appended to `amplitudeRows`.
+Condition makeCondition(ConditionKind kind,
+                        const Point& value,
+                        const Amplitude& amplitude,
+                        std::vector<double>& amplitudeRows);
+/// A boundary condition as the kernels have it.
+Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& amplitudeRows);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Whether a part asks for something that only GeneralPlasticity does.

@@ -96,6 +96,7 @@ private:
     void loop()
     {
         const SignalWatch signals;
+        reportMassScaling(solver_, run_.log);
         energies_ = solver_.energies();
         histories_.sample(solver_, energies_);
         writeFrame();
@@ -105,7 +106,7 @@ private:
             advanceTo(due, nextFrame);
             check();
             if (clock_.time >= sampleTime(samples_) - tiny() || done()) sample();
-            if (clock_.time >= nextFrame) writeFrame();
+            if (clock_.time >= nextFrame || clock_.settled) writeFrame();
             progress();
             if (signals.raised()) {
                 if (clock_.time > lastFrame_) writeFrame();
@@ -122,7 +123,8 @@ private:
 
     bool done() const
     {
-        return clock_.time >= control_.endTime || (maxSteps_ >= 0 && clock_.steps >= maxSteps_);
+        return clock_.settled || clock_.time >= control_.endTime
+               || (maxSteps_ >= 0 && clock_.steps >= maxSteps_);
     }
     double tiny() const { return 1e-9 * control_.endTime; }
     double frameTime(std::int64_t number) const
@@ -166,6 +168,21 @@ private:
         if (std::abs(energies_.balance) > control_.energyWarning)
             run_.log.warning(
                 format("energy balance error is beyond {} %", 100 * control_.energyWarning));
+        checkInertia();
+    }
+
+    /// A slow run is quasi-static while its kinetic energy is small.
+    void checkInertia()
+    {
+        if (!(control_.kineticShare > 0) || clock_.time < control_.quasiStaticAfter) return;
+        const double share = energies_.kineticShare();
+        if (share > control_.kineticShare && largestShare_ <= control_.kineticShare)
+            run_.log.warning(
+                format("kinetic energy is {} % of that of the elements at time {}, more than "
+                       "quasiStatic.kineticShare: inertia has a part in the result; load more "
+                       "slowly or scale the mass less",
+                       toText(100 * share, 3), clock_.time));
+        largestShare_ = std::max(largestShare_, share);
     }
 
     void check()
@@ -217,12 +234,12 @@ private:
     {
         energies_ = solver_.energies();
         reportEnergies();
-        for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair)
-            if (const auto lost = solver_.pairForce(pair).released; lost > 0)
-                run_.log.warning(
-                    format("{} contactor nodes of pair {} went deeper than the target is "
-                           "thick and were let go",
-                           lost, model_.contactPairs[pair].name));
+        reportRest();
+        reportPairs(solver_, model_, run_.log);
+        reportErosion();
+        if (clock_.steps > 0)
+            run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
+                                 stepLimit(solver_, model_)));
         reportPerformance(solver_, model_, run_);
         run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
     }
@@ -233,9 +250,46 @@ private:
         run_.log.line(format(
             "energies at {}: kinetic {} internal {} (plastic {}) hourglass {} bulk viscosity {}",
             e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity));
-        run_.log.line(format("  contact {} friction {} damping {} external {}  balance error {} %",
-                             e.contact, e.friction, e.damping, e.external,
+        run_.log.line(format("  contact {} friction {} contact damping {} damping {} external {}  "
+                             "balance error {} %",
+                             e.contact, e.friction, e.contactDamping, e.damping, e.external,
                              toText(100 * e.balance, 3)));
+    }
+
+    void reportRest()
+    {
+        if (control_.kineticShare > 0)
+            run_.log.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,
+                                 toText(100 * largestShare_, 3)));
+        if (!(control_.relaxationTolerance > 0)) return;
+        const std::string where =
+            format("force out of balance {}, square root of the kinetic share {}",
+                   toText(clock_.residual, 3), toText(clock_.unrest, 3));
+        if (clock_.settled)
+            run_.log.line(format("dynamic relaxation: at rest at time {} after {} steps; ",
+                                 clock_.time, clock_.steps)
+                          + where);
+        else
+            run_.log.warning("dynamic relaxation has not come to rest: " + where);
+    }
+
+    void reportErosion()
+    {
+        if (!solver_.data().erodes) return;
+        const ElementValues values = solver_.elementValues();
+        for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+            const MeshPart& part = model_.mesh.parts[p];
+            Index deleted = 0;
+            double energy = 0;
+            for (Index e = part.firstElement; e < part.firstElement + part.elementCount; ++e) {
+                deleted += values.deleted[std::size_t(e)];
+                energy += values.eroded[std::size_t(e)];
+            }
+            if (deleted > 0)
+                run_.log.line(format("part {}: {} elements deleted, eroded {} (elastic energy they "
+                                     "held, part of internal)",
+                                     part.name, deleted, energy));
+        }
     }
 
     void writeStatus(const std::string& state)
@@ -254,7 +308,7 @@ private:
     StepClock clock_;
     Energies energies_;
     std::int64_t frames_ = 0, samples_ = 1;
-    double nextLine_ = 1, lastFrame_ = 0;
+    double nextLine_ = 1, lastFrame_ = 0, largestShare_ = 0;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -46,6 +46,13 @@ Frame resultFrame(Solver& solver, const Model& model)
         part.values.push_back(double(model.mesh.partOf(Index(e))));
     }
     frame.elementFields = {stress, equivalent, plastic, part};
+    if (!elements.temperature.empty())
+        frame.elementFields.push_back({"TEMP", 1, elements.temperature});
+    if (solver.data().erodes) {
+        ResultField status{"STATUS", 1, {}};
+        for (const bool deleted : elements.deleted) status.values.push_back(deleted ? 0 : 1);
+        frame.elementFields.push_back(status);
+    }
     return frame;
 }
 

@@ -1,6 +1,6 @@
 // Speed of the element and particle solvers: a block of n^3 elastoplastic hexahedra, random initial
 // velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats.
-// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass]
+// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective]
 
 #include "solver/Solver.h"
 #include "support/solverModel.h"
@@ -26,6 +26,7 @@ int main(int argc, char** argv)
                                                         : HourglassForm::stiffness;
     Model model = test::boxModel({n, n, n}, {double(n), double(n), double(n)},
                                  test::aluminium(PartKind::elastoplastic, hourglass));
+    if (form == "selective") model.parts[0].hexahedron = HexahedronForm::selective;
     std::mt19937 random(1);
     std::uniform_real_distribution<double> speed(-2e4, 2e4);
     for (Index node = 0; node < Index(model.mesh.points.size()); ++node)

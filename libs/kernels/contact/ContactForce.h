@@ -21,6 +21,7 @@ struct ContactForce {
             return;
         }
         Work xi = pair.xi[i], eta = pair.eta[i];
+        const Origin origin{before, xi, eta};
         bool beyond = false;
         const Index face = track(i, before, xi, eta, beyond);
         const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
@@ -28,29 +29,29 @@ struct ContactForce {
         pair.xi[i] = clampedUnit(xi);
         pair.eta[i] = clampedUnit(eta);
         const Projection<Work> at = gapAt(corners, clampedUnit(xi), clampedUnit(eta));
-        const Work stiffness = pair.faceStiffness[face];
+        const Work stiffness = pair.law.stiffness(i, pair.faceStiffness[face]);
+        const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
         if (beyond || !(at.gap < pair.reach)) {
-            open(i, stiffness);
+            open(i, stiffness, way);
             return;
         }
         if (-at.gap > pair.faceThickness[face]) {
             pair.face[i] = releasedFace;
             atomicAdd64(pair.released, 1);
-            open(i, stiffness);
+            open(i, stiffness, way);
             return;
         }
         Vec3<Work> force{0, 0, 0};
         if (at.gap < 0) {
-            force = (-stiffness * at.gap) * at.normal;
-            Work energy = Work(0.5) * stiffness * at.gap * at.gap;
-            if (pair.frictionCoefficient > 0) {
-                const Vec3<Work> slip = tangential(i, face, at, stiffness);
-                energy += dot(slip, slip) / (Work(2) * pair.tangentialRatio * stiffness);
-                force += slip;
-            }
-            pair.spring[i] = double(energy);
+            const Work pressed =
+                pair.law.normalForce(i, stiffness, at.gap, massOf(i, face), way, pair.clock->step);
+            Vec3<Work> held{0, 0, 0};
+            force = pressed * at.normal;
+            if (pair.law.friction.acts())
+                force += tangential(i, face, origin, corners, at, stiffness, pressed, held);
+            pair.law.spring[i] = pair.law.energy(stiffness, at.gap, held);
         } else
-            open(i, stiffness);
+            open(i, stiffness, way);
         share(i, face, at, force, stiffness);
     }
 
@@ -83,58 +84,72 @@ private:
         return face;
     }
 
-    /// No touch: no force. What the tangential spring still held is lost to friction.
-    FPM_KERNEL void open(Index i, Work stiffness) const
+    /// Where the contactor was at the last step: face and place on it.
+    struct Origin {
+        Index face;
+        Work xi, eta;
+    };
+
+    /// No touch: no force.
+    FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
     {
-        const Index count = pair.contactorCount;
-        for (int c = 0; c < 3; ++c) pair.force[c * count + i] = 0;
-        pair.spring[i] = 0;
-        if (!(pair.frictionCoefficient > 0)) return;
-        Work* stored = pair.friction;
-        const Vec3<Work> held{stored[i], stored[count + i], stored[2 * count + i]};
-        pair.dissipated[i] +=
-            double(Work(0.5) * dot(held, held) / (pair.tangentialRatio * stiffness));
-        for (int c = 0; c < 3; ++c) stored[c * count + i] = 0;
+        for (int c = 0; c < 3; ++c) pair.force[c * pair.contactorCount + i] = 0;
+        pair.law.open(i, stiffness, way);
     }
 
-    /// Elastic-slip Coulomb force (eqs. 17-18): the stored force, turned into the tangent plane
-    /// with its length kept, minus k_t times the slip of this step, capped at mu times the normal
-    /// force.
-    FPM_KERNEL Vec3<Work>
-    tangential(Index i, Index face, const Projection<Work>& at, Work stiffness) const
+    /// Movement of the contactor against the face in this step.
+    FPM_KERNEL Vec3<Work> relativeWay(Index i, Index face, const Projection<Work>& at) const
     {
-        const Index count = pair.contactorCount;
-        Work* stored = pair.friction;
-        Vec3<Work> trial{stored[i], stored[count + i], stored[2 * count + i]};
-        const Work length = squareRoot(dot(trial, trial));
-        trial = trial - dot(trial, at.normal) * at.normal;
-        const Work flat = squareRoot(dot(trial, trial));
-        if (flat > 0) trial = (length / flat) * trial;
-        const Vec3<Work> old = trial;
-
         Work n[4];
         shapeFunctions(at.xi, at.eta, n);
         Vec3<Work> relative = pair.velocityOf(pair.contactor[i]);
         for (int k = 0; k < 4; ++k)
             relative = relative - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
-        relative = relative - dot(relative, at.normal) * at.normal;
-        const Work tangentialStiffness = pair.tangentialRatio * stiffness;
-        trial = trial - (tangentialStiffness * Work(pair.clock->step)) * relative;
+        return Work(pair.clock->step) * relative;
+    }
+    /// Change of the gap in this step.
+    FPM_KERNEL Work approach(Index i, Index face, const Projection<Work>& at) const
+    {
+        return dot(relativeWay(i, face, at), at.normal);
+    }
+    FPM_KERNEL Work massOf(Index i, Index face) const
+    {
+        return pair.law.damps() ? pair.law.lesserMass(i, pair.faceMass[face]) : Work(0);
+    }
 
-        const Work most = pair.frictionCoefficient * (-stiffness * at.gap);
-        const Work size = squareRoot(dot(trial, trial));
-        if (size > most) {
-            const Vec3<Work> capped = (most / size) * trial;
-            // Mean force over the step times the slip the spring does not take: with it the nodes'
-            // work, trapezoidal as theirs, is stored plus dissipated.
-            pair.dissipated[i] +=
-                double(Work(0.5) * dot(old + capped, trial - capped) / tangentialStiffness);
-            trial = capped;
+    /// Friction on the contactor. The stored force turns with the face it belongs to; where the
+    /// contactor has come from another one, that face as it lies now hands it over. `held`: the
+    /// force as it is stored.
+    FPM_KERNEL Vec3<Work> tangential(Index i,
+                                     Index face,
+                                     const Origin& origin,
+                                     const FaceCorners<Work>& corners,
+                                     const Projection<Work>& at,
+                                     Work stiffness,
+                                     Work pressed,
+                                     Vec3<Work>& held) const
+    {
+        const PairLaw<Work>& law = pair.law;
+        held = law.storedVector(i);
+        if (law.friction.paper) {
+            const Vec3<Work> slip = inPlane(relativeWay(i, face, at), at.normal);
+            return held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         }
-        stored[i] = trial.x;
-        stored[count + i] = trial.y;
-        stored[2 * count + i] = trial.z;
-        return trial;
+        const FaceFrame<Work> frame(corners);
+        if (law.storedFace[i] != face) {
+            if (dot(held, held) > 0) {
+                const FaceFrame<Work> old(pair.corners(law.storedFace[i], pair.contactor[i]));
+                held = frame.components(old.vector(held, at.normal), at.normal);
+            }
+            law.storedFace[i] = face;
+        }
+        const Vec3<Work> way = origin.face == face
+                                   ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
+                                   : slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
+                                                      origin.xi, origin.eta, at.offset);
+        const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
+        held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
+        return frame.vector(held, at.normal);
     }
 
     /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The
@@ -148,6 +163,7 @@ private:
         Work n[4];
         shapeFunctions(at.xi, at.eta, n);
         const bool closed = at.gap < 0;
+        const Work bound = Work(2) * pair.law.limitFactor * stiffness;
         std::int64_t own[3] = {0, 0, 0};
         for (int k = 0; k < 4; ++k) {
             std::int64_t* to =
@@ -161,7 +177,7 @@ private:
                     atomicAdd64(to + c, fixed);
                 }
             }
-            atomicAdd64(to + 3, pair.scale.spring(double(Work(2) * n[k] * stiffness)));
+            atomicAdd64(to + 3, pair.scale.spring(double(n[k] * bound)));
         }
         std::int64_t* to = pair.sum + 4 * std::size_t(pair.contactorNumber[i]);
         if (closed)
@@ -169,7 +185,7 @@ private:
                 atomicAdd64(to + c, own[c]);
                 pair.force[c * pair.contactorCount + i] = pair.scale.toForce(own[c]);
             }
-        atomicAdd64(to + 3, pair.scale.spring(double(Work(2) * stiffness)));
+        atomicAdd64(to + 3, pair.scale.spring(double(bound)));
     }
 };
 

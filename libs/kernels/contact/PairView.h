@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Types.h"
-#include "kernels/contact/FaceProjection.h"
 #include "kernels/contact/ForceSum.h"
+#include "kernels/contact/Penalty.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
 
@@ -28,8 +28,9 @@ struct PairView {
     const Index* faceNode;        ///< [4 * face + corner]
     const Index* faceNumber;      ///< [4 * face + corner], number among all contact nodes
     const Index* neighbour;       ///< [4 * face + edge], edge i joins corners i and i + 1; -1: free
-    const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start
+    const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
     const Work* faceThickness;    ///< V / A
+    const Work* faceMass;         ///< of its lightest free corner, for contact damping
     const Index* target;          ///< target nodes
     const Index* targetFaceStart; ///< faces around a target node: CSR
     const Index* targetFaces;
@@ -37,10 +38,7 @@ struct PairView {
     Work* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
     Index* face;
     Work *xi, *eta;
-    Work* friction;         ///< tangential force at the last step
     double* force;          ///< on the contactor, this step
-    double* spring;         ///< recoverable energy of normal and tangential spring
-    double* dissipated;     ///< by friction, running sum
     std::int64_t* released; ///< count of contactors let go
 
     const Position* position;
@@ -51,8 +49,7 @@ struct PairView {
     const StepClock* clock;
 
     Work reach; ///< distance at which a face is tracked
-    Work frictionCoefficient;
-    Work tangentialRatio; ///< k_t / k_n
+    PairLaw<Work> law;
 
     FPM_KERNEL Vec3<Work> relative(Index node, Index origin) const
     {

@@ -116,7 +116,7 @@ struct FaceChoice {
     /// A contactor in touch keeps its face where the search finds nothing better.
     FPM_KERNEL void keep(const PairView<Precision>& pair, Index i) const
     {
-        const bool touching = pair.face[i] >= 0 && pair.spring[i] > 0;
+        const bool touching = pair.face[i] >= 0 && pair.law.spring[i] > 0;
         if (face < 0 && touching) return;
         if (face >= 0 && face == pair.face[i]) return; // tracked already, warm start kept
         pair.face[i] = face;

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/element/Hexahedron.h"
+#include "kernels/element/SelectiveHexahedron.h"
 #include "kernels/element/StateLayout.h"
 #include "kernels/particle/StepClock.h"
+#include "parallel/Atomic.h"
 #include "parallel/Precision.h"
 
 namespace fpm {
@@ -34,6 +35,7 @@ constexpr std::size_t elementScratch(std::size_t nodes)
 /// Stress update and internal force of the elements of one patch: loads the patch's nodes into
 /// scratch, works the elements, and sums their corner forces per node in ascending element order.
 /// Boundary nodes get one partial sum a patch; the node pass adds those in patch order.
+/// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
 template <class Precision, class Material, class Hourglass>
 struct ElementPass {
     using Work = typename Precision::Work;
@@ -53,12 +55,13 @@ struct ElementPass {
     std::size_t nodeStride;
     const Work* mass;   ///< tiles of 1
     Work* state;        ///< tiles of the part's StateLayout
-    Sum* plasticStrain; ///< likewise
+    Sum* plasticStrain; ///< likewise, with the rises of temperature
     Work* slotForce;    ///< three planes, slotStride apart
     std::size_t slotStride;
     double* patchEnergy; ///< [patch][elementEnergies], running sums
     double* patchStep;   ///< [patch], stable step
     const StepClock* clock;
+    std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
 
     template <class Team>
@@ -95,7 +98,11 @@ struct ElementPass {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
-        return {1, Hourglass::stateSize, Material::plastic && (!Material::general || m.rows > 0)};
+        if constexpr (!Material::general)
+            return {Hourglass::points, Hourglass::stateSize, Material::plastic};
+        else
+            return {Hourglass::points, Hourglass::stateSize, m.rows > 0 || m.general.erodes,
+                    m.general.kinematicModulus > Work(0), m.general.heatPerWork > Work(0)};
     }
 
 private:
@@ -137,18 +144,60 @@ private:
             Modes<T> x, w;
             loadModes(nodes, corners + 8 * tile + e, stride, x);
             loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
-            ElementState<T> element;
-            loadState(m, element, patch, e);
-            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
-                m, x, w, load<T>(mass + tile + e), rate, strainPoint, element);
-            storeState(m, element, step, patch, e);
+            const ElementStep<T> step =
+                updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
             store(sums + e, step.internal);
             store(sums + patchCapacity + e, step.plastic);
             store(sums + 2 * patchCapacity + e, step.hourglass);
             store(sums + 3 * patchCapacity + e, step.bulkViscosity);
             store(sums + 4 * patchCapacity + e, step.stableTimeStep);
+            if constexpr (Material::general)
+                if (m.general.erodes && NumberTraits<T>::any(step.deletes > T(Work(0))))
+                    atomicAdd64(deletions, 1);
         });
+    }
+
+    /// The state of the Gauss points of one batch of elements, where it lies.
+    struct PointStates {
+        const ElementPass& pass;
+        const MaterialConstants<Work>& m;
+        const PatchHeader& patch;
+        Index e;
+
+        template <class T>
+        FPM_KERNEL void load(int point, ElementState<T>& to) const
+        {
+            pass.loadState(m, to, patch, e, point);
+        }
+        template <class T>
+        FPM_KERNEL void
+        store(int point, const ElementState<T>& from, const ElementStep<T>& step) const
+        {
+            pass.storeState(m, from, step, patch, e, point);
+        }
+    };
+
+    template <class T>
+    FPM_KERNEL ElementStep<T> updateElement(const MaterialConstants<Work>& m,
+                                            const PatchHeader& patch,
+                                            Index e,
+                                            const Modes<T>& x,
+                                            Modes<T>& w,
+                                            const T& elementMass,
+                                            Work rate) const
+    {
+        if constexpr (std::is_same_v<Hourglass, SelectiveIntegration>)
+            return updateSelective<Material>(m, x, w, elementMass, rate,
+                                             PointStates{*this, m, patch, e});
+        else {
+            ElementState<T> element;
+            loadState(m, element, patch, e, 0);
+            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
+                m, x, w, elementMass, rate, strainPoint, element);
+            storeState(m, element, step, patch, e, 0);
+            return step;
+        }
     }
 
     template <class T>
@@ -166,24 +215,52 @@ private:
     }
 
     template <class T>
+    FPM_KERNEL static Sym3<T> loadTensor(const Work* s, Index stride)
+    {
+        return {load<T>(s),
+                load<T>(s + stride),
+                load<T>(s + 2 * stride),
+                load<T>(s + 3 * stride),
+                load<T>(s + 4 * stride),
+                load<T>(s + 5 * stride)};
+    }
+    template <class T>
+    FPM_KERNEL static void storeTensor(Work* s, Index stride, const Sym3<T>& from)
+    {
+        store(s, from.xx);
+        store(s + stride, from.yy);
+        store(s + 2 * stride, from.zz);
+        store(s + 3 * stride, from.xy);
+        store(s + 4 * stride, from.yz);
+        store(s + 5 * stride, from.zx);
+    }
+
+    template <class T>
     FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
                               ElementState<T>& to,
                               const PatchHeader& patch,
-                              Index e) const
+                              Index e,
+                              int point) const
     {
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        const Work* s = state + patch.state + e;
-        to.stress = {load<T>(s),
-                     load<T>(s + stride),
-                     load<T>(s + 2 * stride),
-                     load<T>(s + 3 * stride),
-                     load<T>(s + 4 * stride),
-                     load<T>(s + 5 * stride)};
+        const Work* first = state + patch.state + e;
+        to.stress = loadTensor<T>(first + layout.stress(point) * stride, stride);
         to.equivalentPlasticStrain =
-            layout.plastic ? load<T>(plasticStrain + patch.strains + e) : T(Work(0));
+            layout.plastic ? load<T>(plasticStrain + patch.strains + point * stride + e)
+                           : T(Work(0));
+        if constexpr (Material::general) {
+            to.backstress =
+                Sym3<T>{T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0))};
+            to.temperatureRise = T(Work(0));
+            if (layout.kinematic)
+                to.backstress = loadTensor<T>(first + layout.backstress(point) * stride, stride);
+            if (layout.heats)
+                to.temperatureRise =
+                    load<T>(plasticStrain + patch.strains + layout.temperature(point) * stride + e);
+        }
         if constexpr (Hourglass::stateSize > 0) {
-            const Work* q = s + layout.hourglassForces() * stride;
+            const Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j)
                 to.hourglass[j] = {load<T>(q + 3 * j * stride), load<T>(q + (3 * j + 1) * stride),
                                    load<T>(q + (3 * j + 2) * stride)};
@@ -195,21 +272,25 @@ private:
                                const ElementState<T>& from,
                                const ElementStep<T>& step,
                                const PatchHeader& patch,
-                               Index e) const
+                               Index e,
+                               int point) const
     {
         const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        Work* s = state + patch.state + e;
-        store(s, from.stress.xx);
-        store(s + stride, from.stress.yy);
-        store(s + 2 * stride, from.stress.zz);
-        store(s + 3 * stride, from.stress.xy);
-        store(s + 4 * stride, from.stress.yz);
-        store(s + 5 * stride, from.stress.zx);
+        Work* first = state + patch.state + e;
+        storeTensor(first + layout.stress(point) * stride, stride, from.stress);
         if (layout.plastic)
-            accumulate(plasticStrain + patch.strains + e, step.plasticStrainIncrement);
+            accumulate(plasticStrain + patch.strains + point * stride + e,
+                       step.plasticStrainIncrement);
+        if constexpr (Material::general) {
+            if (layout.kinematic)
+                storeTensor(first + layout.backstress(point) * stride, stride, from.backstress);
+            if (layout.heats)
+                accumulate(plasticStrain + patch.strains + layout.temperature(point) * stride + e,
+                           step.temperatureIncrement);
+        }
         if constexpr (Hourglass::stateSize > 0) {
-            Work* q = s + layout.hourglassForces() * stride;
+            Work* q = first + layout.hourglassForces() * stride;
             for (int j = 0; j < 4; ++j) {
                 store(q + 3 * j * stride, from.hourglass[j].x);
                 store(q + (3 * j + 1) * stride, from.hourglass[j].y);

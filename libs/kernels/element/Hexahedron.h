@@ -1,29 +1,15 @@
 #pragma once
 
+#include "kernels/element/BulkViscosity.h"
+#include "kernels/element/Deletion.h"
 #include "kernels/element/Hourglass.h"
 #include "kernels/element/RotationRules.h"
 #include "kernels/material/GeneralPlasticity.h"
+#include "kernels/material/SectionFlow.h"
 
 #include <type_traits>
 
 namespace fpm {
-
-/// Where an element stands: its state before the step, and after updateHexahedron.
-template <class T>
-struct ElementState {
-    Sym3<T> stress; ///< Cauchy, global axes
-    T equivalentPlasticStrain;
-    Vec3<T> hourglass[4]; ///< generalised forces Q
-};
-
-/// What one step of an element adds to the ledger, and the step it could take next.
-template <class T>
-struct ElementStep {
-    T internal, hourglass, bulkViscosity; ///< work done in this step
-    T plastic; ///< dissipated by flow: part of internal and, where the section yields, of hourglass
-    T plasticStrainIncrement;
-    T stableTimeStep; ///< Flanagan-Belytschko with bulk viscosity; <= 0 or NaN: inverted
-};
 
 /// One time step of FPM-H8R (the paper, section 2; one point, exact mean gradient). `x`: modes of
 /// the corner coordinates at the end of the step, `increment`: modes of the displacement over the
@@ -63,7 +49,9 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T volume = strainGradient.volume64 * T(Real(1) / Real(64));
     const T density = T(Real(64)) * mass * inverseVolume64;
     const T square = gradientSquare512(strainGradient) * T(Real(1) / Real(512));
-    const HourglassTrial<T> hourglass = Hourglass::template trial<T>(
+    ElementState<T> start; // what the general options may have to come back to
+    if constexpr (Material::general) start = state;
+    HourglassTrial<T> hourglass = Hourglass::template trial<T>(
         m,
         HourglassInput<T>{middle, w, l, rotation, volume, T(Real(64)) * inverseVolume64, square,
                           T(rate), density},
@@ -73,39 +61,54 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};
     T share = one; // of the trial hourglass forces that the section can bear
+    T bent = zero; // plastic work of the bending per volume
     if constexpr (Material::plastic) {
-        if constexpr (Material::general)
-            plastic =
-                generalReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
-        else
+        if constexpr (Material::general) {
+            if (m.general.kinematicModulus > Real(0))
+                state.backstress = rotated(rotation, state.backstress);
+            const GeneralStep<T> flow = generalReturn<T>(
+                m, {state.equivalentPlasticStrain, hourglass.bending, state.temperatureRise, rate},
+                state.stress, state.backstress);
+            plastic = flow.plastic;
+            if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
+                if (m.general.tangentHourglass)
+                    Hourglass::followFlow(m, plastic.strainIncrement, flow.modulus, start.hourglass,
+                                          state.hourglass, hourglass);
+        } else
             plastic =
                 radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
-        share = one - T(m.coupledHourglass) * plastic.reduction;
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
-            for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+            if (m.coupledHourglass > Real(0)) {
+                share = one - plastic.reduction;
+                bent = plastic.reduction * share * hourglass.bendingEnergy;
+                bool centred = true; // a yield surface that moves keeps the equal share
+                if constexpr (Material::general) centred = !(m.general.kinematicModulus > Real(0));
+                if (centred) {
+                    const SectionFlow<T> section = flowOfSection<T>(
+                        m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
+                    share = section.bendingKept;
+                    bent = section.bendingWork;
+                }
+                for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+            }
     }
 
     ElementStep<T> step;
     step.plasticStrainIncrement = plastic.strainIncrement;
-    const T bent = plastic.reduction * (one - plastic.reduction) * hourglass.bendingEnergy;
     step.plastic = volume * (plastic.work + bent);
+    step.temperatureIncrement = zero;
+    if constexpr (Material::general)
+        if (m.general.heatPerWork > Real(0))
+            step.temperatureIncrement = T(m.general.heatPerWork) * step.plastic / mass;
     step.internal = volume * (half * contract(before + state.stress, strain));
 
     // Largest frequency: omega^2 <= 8 (lambda + 2 mu) B B / (rho V^2) (Flanagan and Belytschko
     // 1984).
     const T length = volume / squareRoot(square + square);
-    const T slowness = squareRoot(density * T(Real(1) / m.pressureWaveModulus));
-    const T waveSpeed = one / slowness, undamped = length * slowness;
-
-    // Bulk viscosity: linear in both signs, quadratic in compression; in the force, not the stress.
     const T volumetric = strain.xx + strain.yy + strain.zz;
-    const T compression = maximum(-(volumetric * T(rate)), zero);
-    const T quadratic = T(m.quadraticViscosity * m.quadraticViscosity) * length * compression;
-    const T viscousPressure =
-        density * length
-        * (T(m.linearViscosity) * waveSpeed * (volumetric * T(rate)) - quadratic * compression);
-    step.bulkViscosity = volume * viscousPressure * volumetric;
-    const T damping = T(m.linearViscosity) + quadratic * slowness;
+    const BulkViscosity<T> viscosity = bulkViscosity<T>(m, density, length, volumetric, T(rate));
+    step.bulkViscosity = volume * viscosity.pressure * volumetric;
+    const T damping = viscosity.damping, undamped = length * viscosity.slowness;
     step.stableTimeStep =
         undamped * (squareRoot(fusedMultiplyAdd(damping, damping, one)) - damping);
     step.stableTimeStep = select(volume > zero, step.stableTimeStep, -one);
@@ -117,7 +120,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T inverse = one / forceGradient.volume64;
     const T sixtyFourth = T(Real(1) / Real(64));
     Mat3<T> s = matrix(sixtyFourth * state.stress);
-    const T pressure = sixtyFourth * viscousPressure;
+    const T pressure = sixtyFourth * viscosity.pressure;
     s.x.x += pressure;
     s.y.y += pressure;
     s.z.z += pressure;
@@ -132,6 +135,12 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     w.mode[7] = q[3];
     for (int j = 0; j < 3; ++j) w.mode[hourglassMode(j)] += q[j];
     w.mode[0] = {zero, zero, zero};
+    step.deletes = zero;
+    if constexpr (Material::general)
+        if (m.general.erodes)
+            erode<T>(m, start, before, volume,
+                     {volume * (half * contract(before, strain)), hourglass.workStart}, step, state,
+                     w);
     return step;
 }
 

@@ -45,7 +45,7 @@ struct HourglassTrial {
 /// kappa = 1 is the highest frequency of a brick; up to 0.2 no warped element's stable step is
 /// touched. Q turns with the element.
 struct StiffnessHourglass {
-    static constexpr int stateSize = 12;
+    static constexpr int stateSize = 12, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -70,7 +70,7 @@ struct StiffnessHourglass {
 /// Viscous form, C = Q_h rho c_d l^2 / 4 with l^2 = sqrt(2/3 B B) (the edge squared of a cube).
 /// No history; cannot stop slow drift. Stable up to Q_h = 0.2 at the element's own step.
 struct ViscousHourglass {
-    static constexpr int stateSize = 0;
+    static constexpr int stateSize = 0, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -94,7 +94,7 @@ struct ViscousHourglass {
 /// and Bindeman 1993, rederived for parallelepipeds). Works in the frame of the middle surface,
 /// e1 along x1, e3 along x1 x x2, and keeps Q there: the frame turns with the element.
 struct PhysicalHourglass {
-    static constexpr int stateSize = 12;
+    static constexpr int stateSize = 12, points = 1;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -137,6 +137,24 @@ struct PhysicalHourglass {
         }
         measureBending(m, q, in.inverseVolume, r1, r2, r3, out);
         return out;
+    }
+
+    /// `plastic tangent`: while the element flows, the stiffness of its increments is that share of
+    /// the elastic one which the tangent modulus is of Young's, at least a hundredth. `modulus`:
+    /// d(flow stress) / d(plastic strain).
+    template <class T>
+    FPM_KERNEL static void followFlow(const MaterialConstants<ScalarOf<T>>& m,
+                                      const T& plasticStrainIncrement,
+                                      const T& modulus,
+                                      const Vec3<T> (&before)[4],
+                                      Vec3<T> (&q)[4],
+                                      HourglassTrial<T>& work)
+    {
+        using Real = ScalarOf<T>;
+        const T tangent = maximum(modulus / (T(m.young) + modulus), T(Real(0.01)));
+        const T share = select(plasticStrainIncrement > T(Real(0)), tangent, T(Real(1)));
+        for (int j = 0; j < 4; ++j) q[j] = multiplyAdd(share, q[j] - before[j], before[j]);
+        work.workTrial = fusedMultiplyAdd(share, work.workTrial - work.workStart, work.workStart);
     }
 
     /// Equivalent bending stress of the section, q_b = 2/3 of the Mises stress of the outer fibre:

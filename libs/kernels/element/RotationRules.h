@@ -94,22 +94,29 @@ struct SpinRotation {
     Mat3<T> whole, half;
 };
 
+/// `a`: the axis times tan(angle / 2), half the axial vector of the spin over the step.
 template <class T>
-FPM_KERNEL SpinRotation<T> hughesWingetRotation(const Modes<T>& middle, const Modes<T>& w)
+FPM_KERNEL SpinRotation<T> spinRotation(const Vec3<T>& a)
 {
     using Real = ScalarOf<T>;
-    const T zero = T(Real(0)), one = T(Real(1));
-    const Gradient<T> b = meanGradient(middle);
-    Vec3<T> a{zero, zero, zero}; // axis times tan(angle / 2)
-    for (int m = 1; m < 7; ++m) a += cross(b.g[m], w.mode[m]);
-    a = (T(Real(0.25)) / b.volume64) * a;
-    const T square = dot(a, a);
+    const T one = T(Real(1)), square = dot(a, a);
     const auto cayley = [&](const Vec3<T>& t, const T& tSquare) {
         const Vec3<T> scaled = (T(Real(2)) / (one + tSquare)) * t;
         return turnMatrix(scaled, t, scaled);
     };
     const T ratio = one / (one + squareRoot(one + square)); // tan of a quarter by tan of a half
     return {cayley(a, square), cayley(ratio * a, ratio * ratio * square)};
+}
+
+template <class T>
+FPM_KERNEL SpinRotation<T> hughesWingetRotation(const Modes<T>& middle, const Modes<T>& w)
+{
+    using Real = ScalarOf<T>;
+    const T zero = T(Real(0));
+    const Gradient<T> b = meanGradient(middle);
+    Vec3<T> a{zero, zero, zero};
+    for (int m = 1; m < 7; ++m) a += cross(b.g[m], w.mode[m]);
+    return spinRotation((T(Real(0.25)) / b.volume64) * a);
 }
 
 /// What is left of a step when the rotation is taken out, by the part's rule: `w` becomes the

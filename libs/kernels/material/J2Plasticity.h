@@ -16,7 +16,7 @@ struct J2Plasticity {
 /// `bending`: equivalent bending stress q_b of the section (PhysicalHourglass), 0 for none. Yield
 /// is then the limit surface of a solid section, (q / sigma_y)^2 + q_b / sigma_y = 1, which the
 /// stress (q_b + sqrt(q_b^2 + 4 q^2)) / 2 measures; membrane and bending are reduced by the same
-/// share.
+/// share, which flowOfSection then corrects.
 template <class T>
 FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
                                        const T& plasticStrain,

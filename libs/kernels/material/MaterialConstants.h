@@ -9,10 +9,26 @@ inline constexpr int maxHardeningRows = 32;
 /// How the rigid rotation of a step is found; the values are those of the dictionary's words.
 enum class RotationRule : int { midSurface, arcsine, polar, hughesWinget };
 
-/// What only GeneralPlasticity reads: options that a part may choose at run time.
+/// How the yield stress follows the plastic strain rate.
+enum class RateLaw : int { none, cowperSymonds, logarithmic };
+
+/// What only GeneralPlasticity reads: options that a part may choose at run time; all zero: none.
 template <class Work>
 struct GeneralConstants {
     RotationRule rotation;
+    Work kinematicModulus; ///< H_k of the backstress, 2/3 H_k its rate over that of plastic strain
+    Work powerModulus, powerExponent; ///< B e^n, added to the table
+    RateLaw rateLaw;
+    Work referenceRate;   ///< D of Cowper and Symonds, rate0 of Johnson and Cook
+    Work rateCoefficient; ///< 1/p, or C
+    Work heatPerWork;     ///< share of plastic work over specific heat; 0: no temperature is kept
+    Work temperature;     ///< at the start
+    Work softeningExponent, roomTemperature; ///< m of 1 - T*^m; 0: no softening
+    Work inverseMeltingRange;                ///< 1 / (melting - room temperature)
+    Work erosionStrain; ///< equivalent plastic strain beyond which an element is deleted
+    bool erodes;        ///< elements may be deleted at all
+    bool erodesInverted;
+    bool tangentHourglass; ///< physical form: the stiffness of its increments follows the flow
 };
 
 /// What the kernels need to know of one part's material and element options, in its working type.

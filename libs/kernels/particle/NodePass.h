@@ -27,6 +27,9 @@ enum NodeWork {
     nodeWorks
 };
 
+/// Bit of NodePass::fixed: a rigid body moves the node, NodePass leaves it alone.
+inline constexpr std::uint8_t bodyNode = 8;
+
 constexpr std::size_t nodeScratch()
 {
     return nodeWorks * nodeBlock * sizeof(double) + blockSumScratch(nodeWorks);
@@ -49,14 +52,20 @@ struct NodePass {
     const Index* slots;
     const Work* slotForce;
     std::size_t slotStride;
-    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity
+    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode
     const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
-    const Index* conditionStart; ///< conditions of a node: CSR; null without conditions
-    const Index* conditionOf;
+    const Index* conditionStart; ///< uses of a node: CSR; null without conditions
+    const ConditionUse* uses;
     const Condition* conditions;
     const double* amplitudeRows;
+    const Index* frameOf;       ///< axes of a node's components, -1: global; null: all global
+    const double* frames;       ///< nine values each, rows are directions
+    const Index* pressureStart; ///< pressure slots of a node: CSR; null without pressures
+    const Index* pressureSlots;
+    const Motion* pressureForce;
+    std::size_t pressureStride;
     Motion massDamping;
     bool ledger;       ///< book the works (a scene without loads, drives, damping needs none)
     double* blockWork; ///< [block][nodeWorks], running sums
@@ -80,6 +89,9 @@ struct NodePass {
         team.barrier();
     }
 
+    /// xi of this step: the case's and that of dynamic relaxation.
+    FPM_KERNEL Motion dampingRate() const { return massDamping + Motion(clock->damping); }
+
     /// Internal force of the elements on a node (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
@@ -98,49 +110,101 @@ struct NodePass {
         return {Motion(contactScale.toForce(sum[0])), Motion(contactScale.toForce(sum[1])),
                 Motion(contactScale.toForce(sum[2]))};
     }
-    /// Loads on a node at `time`.
+    /// Stiffness of the contact springs at a node, as the bound of the step counts it.
+    FPM_KERNEL double contactStiffness(std::size_t node) const
+    {
+        if (!contactNode || contactNode[node] < 0) return 0;
+        return contactScale.toStiffness(contactForce[4 * std::size_t(contactNode[node]) + 3]);
+    }
+    FPM_KERNEL Vec3<double> place(std::size_t node) const
+    {
+        return {double(position[node]), double(position[nodeStride + node]),
+                double(position[2 * nodeStride + node])};
+    }
+    /// Loads on a node at `time`; pressures are those of the present positions.
     FPM_KERNEL Vec3<Motion> load(std::size_t node, double time) const
     {
         double sum[3] = {0, 0, 0};
         if (conditionStart)
             for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k) {
-                const Condition& condition = conditions[conditionOf[k]];
-                if (condition.kind != 2) continue;
-                const double factor = amplitudeAt(condition, amplitudeRows, time);
+                if (uses[k].axis >= 0) continue;
+                const Condition& condition = conditions[uses[k].condition];
+                const double factor = uses[k].first * amplitudeAt(condition, amplitudeRows, time);
                 for (int c = 0; c < 3; ++c) sum[c] += factor * condition.value[c];
             }
-        return {Motion(sum[0]), Motion(sum[1]), Motion(sum[2])};
+        Vec3<Motion> total{Motion(sum[0]), Motion(sum[1]), Motion(sum[2])};
+        if (pressureStart)
+            for (Index k = pressureStart[node]; k < pressureStart[node + 1]; ++k) {
+                const std::size_t slot = std::size_t(pressureSlots[k]);
+                total += {pressureForce[slot], pressureForce[pressureStride + slot],
+                          pressureForce[2 * pressureStride + slot]};
+            }
+        return total;
     }
 
-    /// True when component c of the node's motion is held or driven.
+    /// True when component c of the node's motion, in its axes, is held or driven.
     FPM_KERNEL bool imposed(std::size_t node, int c) const
     {
         if ((fixed[node] >> c) & 1) return true;
         if (conditionStart)
-            for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k) {
-                const Condition& condition = conditions[conditionOf[k]];
-                if (condition.kind != 2 && ((condition.components >> c) & 1)) return true;
-            }
+            for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k)
+                if (uses[k].axis == c) return true;
         return false;
     }
 
+    /// Components in the node's axes of a vector in global ones, and back. True where they differ.
+    FPM_KERNEL bool toOwnAxes(std::size_t node, Vec3<Motion>& a) const
+    {
+        if (!frameOf || frameOf[node] < 0) return false;
+        a = ownAxes(node) * a;
+        return true;
+    }
+    FPM_KERNEL bool fromOwnAxes(std::size_t node, Vec3<Motion>& a) const
+    {
+        if (!frameOf || frameOf[node] < 0) return false;
+        a = transpose(ownAxes(node)) * a;
+        return true;
+    }
+    FPM_KERNEL Vec3<Motion> velocityOf(std::size_t node) const
+    {
+        return {velocity[node], velocity[nodeStride + node], velocity[2 * nodeStride + node]};
+    }
+    /// Sets what is held or driven of a vector in global components to 0.
+    FPM_KERNEL void removeImposed(std::size_t node, double (&a)[3]) const
+    {
+        Mat3<double> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const bool own = frameOf && frameOf[node] >= 0;
+        if (own) {
+            const double* m = frames + 9 * std::size_t(frameOf[node]);
+            axes = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
+        }
+        const Vec3<double> old =
+            own ? axes * Vec3<double>{a[0], a[1], a[2]} : Vec3<double>{a[0], a[1], a[2]};
+        Vec3<double> left{imposed(node, 0) ? 0 : old.x, imposed(node, 1) ? 0 : old.y,
+                          imposed(node, 2) ? 0 : old.z};
+        if (own) left = transpose(axes) * left;
+        a[0] = left.x;
+        a[1] = left.y;
+        a[2] = left.z;
+    }
+
 private:
+    FPM_KERNEL Mat3<Motion> ownAxes(std::size_t node) const
+    {
+        const double* m = frames + 9 * std::size_t(frameOf[node]);
+        return {{Motion(m[0]), Motion(m[1]), Motion(m[2])},
+                {Motion(m[3]), Motion(m[4]), Motion(m[5])},
+                {Motion(m[6]), Motion(m[7]), Motion(m[8])}};
+    }
+
     /// Velocity imposed on component c over the coming step, if any.
     FPM_KERNEL bool driven(std::size_t node, int c, Motion& v) const
     {
         if (!conditionStart) return false;
         for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k) {
-            const Condition& condition = conditions[conditionOf[k]];
-            if (condition.kind == 2 || !((condition.components >> c) & 1)) continue;
-            const double end = clock->time, start = end - clock->step;
-            if (condition.kind == 0) // exact tracking: (u(end) - u(start)) / dt
-                v = Motion(condition.value[c]
-                           * (amplitudeAt(condition, amplitudeRows, end)
-                              - amplitudeAt(condition, amplitudeRows, start))
-                           / clock->step);
-            else
-                v = Motion(condition.value[c]
-                           * amplitudeAt(condition, amplitudeRows, 0.5 * (start + end)));
+            if (uses[k].axis != c) continue;
+            v = Motion(drivenVelocity(conditions[uses[k].condition], uses[k], amplitudeRows,
+                                      clock->time, clock->step));
             return true;
         }
         return false;
@@ -149,44 +213,59 @@ private:
     FPM_KERNEL void advance(Index number, double* work) const
     {
         const std::size_t node = std::size_t(number);
-        const Vec3<Motion> internal = internalForce(node), touch = contact(node),
-                           outer = load(node, clock->time - clock->step);
-        const Motion in[3] = {internal.x, internal.y, internal.z},
-                     ct[3] = {touch.x, touch.y, touch.z}, ex[3] = {outer.x, outer.y, outer.z};
-        const Motion h = Motion(clock->mean), dt = Motion(clock->step), inverse = inverseMass[node];
-        const Motion previous = Motion(2 * clock->mean - clock->step); // the step before
         if (ledger)
             for (int k = 0; k < nodeWorks; ++k) work[k * nodeBlock] = 0;
+        if (fixed[node] & bodyNode) return;
+        Vec3<Motion> internal = internalForce(node), touch = contact(node),
+                     outer = load(node, clock->time - clock->step), old = velocityOf(node);
+        if (toOwnAxes(node, old)) {
+            toOwnAxes(node, internal);
+            toOwnAxes(node, touch);
+            toOwnAxes(node, outer);
+        }
+        Vec3<Motion> next{component(node, 0, internal.x, touch.x, outer.x, old.x, work),
+                          component(node, 1, internal.y, touch.y, outer.y, old.y, work),
+                          component(node, 2, internal.z, touch.z, outer.z, old.z, work)};
+        fromOwnAxes(node, next);
+        const Motion dt = Motion(clock->step), v[3] = {next.x, next.y, next.z};
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * nodeStride + node;
-            const Motion old = velocity[at], force = ex[c] - in[c] + ct[c];
-            Motion v = leapFrogVelocity(old, force, inverse, h, massDamping);
-            Motion imposed = 0;
-            const bool held = (fixed[node] >> c) & 1;
-            const bool drives = !held && driven(node, c, imposed);
-            if (held || drives) v = imposed;
-            velocity[at] = v;
-            position[at] = advanced(position[at], dt * v);
-            if (!ledger) continue;
-            const double before = 0.5 * double(previous) * double(old),
-                         after = 0.5 * double(dt) * double(v);
-            work[internalBefore * nodeBlock] -= double(in[c]) * before;
-            work[internalAfter * nodeBlock] -= double(in[c]) * after;
-            work[contactBefore * nodeBlock] += double(ct[c]) * before;
-            work[contactAfter * nodeBlock] += double(ct[c]) * after;
-            work[externalBefore * nodeBlock] += double(ex[c]) * before;
-            work[externalAfter * nodeBlock] += double(ex[c]) * after;
-            const double mean = 0.5 * (double(old) + double(v));
-            const double mass = inverse > 0 ? 1 / double(inverse) : 0;
-            const double lost = double(h) * double(massDamping) * mass * mean * mean;
-            work[damping * nodeBlock] += lost;
-            if (!held && !drives) continue;
-            // Reaction of the drive: what is missing in m dv/dt = F - xi m v + R.
-            const double reaction = (double(v) - double(old)) * mass / double(h) - double(force)
-                                    + double(massDamping) * mass * mean;
-            work[driveBefore * nodeBlock] += reaction * before;
-            work[driveAfter * nodeBlock] += reaction * after;
+            velocity[at] = v[c];
+            position[at] = advanced(position[at], dt * v[c]);
         }
+    }
+
+    /// Next velocity of one component in the node's axes; books its works.
+    FPM_KERNEL Motion component(
+        std::size_t node, int c, Motion in, Motion ct, Motion ex, Motion old, double* work) const
+    {
+        const Motion h = Motion(clock->mean), inverse = inverseMass[node], force = ex - in + ct;
+        const Motion xi = dampingRate();
+        Motion v = leapFrogVelocity(old, force, inverse, h, xi);
+        Motion imposed = 0;
+        const bool held = (fixed[node] >> c) & 1;
+        const bool drives = !held && driven(node, c, imposed);
+        if (held || drives) v = imposed;
+        if (!ledger) return v;
+        const Motion previous = Motion(2 * clock->mean - clock->step); // the step before
+        const double before = 0.5 * double(previous) * double(old),
+                     after = 0.5 * double(Motion(clock->step)) * double(v);
+        work[internalBefore * nodeBlock] -= double(in) * before;
+        work[internalAfter * nodeBlock] -= double(in) * after;
+        work[contactBefore * nodeBlock] += double(ct) * before;
+        work[contactAfter * nodeBlock] += double(ct) * after;
+        work[externalBefore * nodeBlock] += double(ex) * before;
+        work[externalAfter * nodeBlock] += double(ex) * after;
+        const double mean = 0.5 * (double(old) + double(v));
+        const double mass = inverse > 0 ? 1 / double(inverse) : 0;
+        work[damping * nodeBlock] += double(h) * double(xi) * mass * mean * mean;
+        if (!held && !drives) return v;
+        // Reaction of the drive: what is missing in m dv/dt = F - xi m v + R.
+        const double reaction =
+            (double(v) - double(old)) * mass / double(h) - double(force) + double(xi) * mass * mean;
+        work[driveBefore * nodeBlock] += reaction * before;
+        work[driveAfter * nodeBlock] += reaction * after;
+        return v;
     }
 };
 

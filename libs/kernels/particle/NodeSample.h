@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/particle/NodePass.h"
+#include "kernels/particle/RigidBody.h"
 
 namespace fpm {
 
@@ -15,6 +15,8 @@ struct NodeSample {
     const Index* list; ///< nodes, or null for all
     double* out;       ///< [sampleValues][count]
     Index count;
+    const Index* bodyOf; ///< null without rigid bodies
+    const RigidBody* bodies;
 
     FPM_KERNEL void operator()(Index i) const
     {
@@ -26,16 +28,41 @@ struct NodeSample {
                                  double(load.y) - double(internal.y) + double(contact.y),
                                  double(load.z) - double(internal.z) + double(contact.z)};
         const double touch[3] = {double(contact.x), double(contact.y), double(contact.z)};
+        double half[3], a[3];
         for (int c = 0; c < 3; ++c) {
-            const std::size_t at = c * pass.nodeStride + node;
-            const double v = double(pass.velocity[at]);
-            double a = force[c] * double(pass.inverseMass[node]) - double(pass.massDamping) * v;
-            if (pass.imposed(node, c)) a = 0;
-            out[std::size_t(c) * planes + std::size_t(i)] = double(pass.position[at]);
-            out[std::size_t(3 + c) * planes + std::size_t(i)] = v + 0.5 * pass.clock->step * a;
-            out[std::size_t(6 + c) * planes + std::size_t(i)] = a;
+            half[c] = double(pass.velocity[c * pass.nodeStride + node]);
+            a[c] = force[c] * double(pass.inverseMass[node]) - double(pass.dampingRate()) * half[c];
+        }
+        pass.removeImposed(node, a);
+        for (int c = 0; c < 3; ++c) half[c] += 0.5 * pass.clock->step * a[c];
+        if (bodyOf && bodyOf[node] >= 0) ride(node, half, a);
+        for (int c = 0; c < 3; ++c) {
+            out[std::size_t(c) * planes + std::size_t(i)] =
+                double(pass.position[c * pass.nodeStride + node]);
+            out[std::size_t(3 + c) * planes + std::size_t(i)] = half[c];
+            out[std::size_t(6 + c) * planes + std::size_t(i)] = a[c];
             out[std::size_t(9 + c) * planes + std::size_t(i)] = force[c];
             out[std::size_t(12 + c) * planes + std::size_t(i)] = touch[c];
+        }
+    }
+
+private:
+    /// Velocity and acceleration of a node of a rigid body.
+    FPM_KERNEL void ride(std::size_t node, double (&v)[3], double (&a)[3]) const
+    {
+        const RigidBody& body = bodies[bodyOf[node]];
+        Vec3<double> velocity, momentum;
+        kicked(body, 0.5 * pass.clock->step, double(pass.dampingRate()), velocity, momentum);
+        const BodyAcceleration rate =
+            accelerationOf(body, velocity, momentum, double(pass.dampingRate()));
+        const Vec3<double> spin = spinOf(body, momentum), arm = pass.place(node) - body.centre,
+                           turning = cross(spin, arm);
+        const Vec3<double> here = velocity + turning,
+                           change = rate.centre + cross(rate.turn, arm) + cross(spin, turning);
+        const double to[6] = {here.x, here.y, here.z, change.x, change.y, change.z};
+        for (int c = 0; c < 3; ++c) {
+            v[c] = to[c];
+            a[c] = to[3 + c];
         }
     }
 };
@@ -65,27 +92,34 @@ struct KineticEnergy {
     }
 
 private:
+    using Motion = typename Precision::Motion;
+
     FPM_KERNEL void book(std::size_t node, double* out) const
     {
+        out[0] = out[nodeBlock] = 0;
+        if (pass.fixed[node] & bodyNode) return;
         const auto internal = pass.internalForce(node);
         const auto contact = pass.contact(node);
         const auto load = pass.load(node, pass.clock->time);
-        const double outer[3] = {double(load.x), double(load.y), double(load.z)};
-        const double inner[3] = {double(contact.x) - double(internal.x),
-                                 double(contact.y) - double(internal.y),
-                                 double(contact.z) - double(internal.z)};
+        Vec3<Motion> outer = load, inner = contact - internal, old = pass.velocityOf(node);
+        if (pass.toOwnAxes(node, old)) {
+            pass.toOwnAxes(node, outer);
+            pass.toOwnAxes(node, inner);
+        }
+        const double ex[3] = {double(outer.x), double(outer.y), double(outer.z)},
+                     in[3] = {double(inner.x), double(inner.y), double(inner.z)},
+                     v[3] = {double(old.x), double(old.y), double(old.z)};
         const double inverse = double(pass.inverseMass[node]), dt = pass.clock->step;
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
-            const double v = double(pass.velocity[c * pass.nodeStride + node]);
-            double a = (outer[c] + inner[c]) * inverse - double(pass.massDamping) * v;
-            double booked = outer[c];
+            double a = (ex[c] + in[c]) * inverse - double(pass.dampingRate()) * v[c];
+            double booked = ex[c];
             if (pass.imposed(node, c)) {
                 a = 0;
-                booked = -inner[c]; // load and reaction together, at constant velocity
+                booked = -in[c]; // load and reaction together, at constant velocity
             }
-            kinetic += v * (v + dt * a);
-            closing += 0.5 * dt * v * booked;
+            kinetic += v[c] * (v[c] + dt * a);
+            closing += 0.5 * dt * v[c] * booked;
         }
         out[0] = inverse > 0 ? 0.5 * kinetic / inverse : 0;
         out[nodeBlock] = closing;

@@ -18,10 +18,16 @@ struct StepClock {
     double stableStep = 0;       ///< last bound from elements and contact, before the safety factor
     double elementStep = 0;      ///< last bound from elements alone
     double contactFrequency = 0; ///< last bound omega_c of the contact springs
+    double damping = 0;          ///< of dynamic relaxation, beside the mass damping
+    double residual = 0; ///< of dynamic relaxation: force out of balance over internal forces
+    double unrest = 0;   ///< square root of kinetic over stored energy
+    double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
-    std::int32_t running = 1; ///< 0: `stop` is reached, nothing moves
-    std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
-                              ///< step is beyond the bound; nothing moves
+    std::int64_t deletions = 0; ///< changes whenever elements are deleted
+    std::int32_t running = 1;   ///< 0: `stop` is reached, nothing moves
+    std::int32_t failed = 0;    ///< 1: an element inverted or a number is not finite; 2: the fixed
+                                ///< step is beyond the bound; nothing moves
+    std::int32_t settled = 0;   ///< dynamic relaxation is done; nothing moves
 };
 
 /// Rules of the step size, fixed for a run.

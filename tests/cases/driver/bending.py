@@ -44,3 +44,33 @@ def check(binaries, marks):
         marks.note(f"stiffness 0.05: {ratio:.3f}")
         ratio, unrest = body(binaries, "viscous 0.1")
         marks.note(f"viscous 0.1: {ratio:.3g} (no rest: {unrest:.2g})")
+
+
+def relaxed(binaries, marks):
+    """The same bodies by dynamic relaxation, with loads applied at once, and with scaled mass."""
+    for case, point, theory in (("cantilever", "tip", BEAM), ("clampedPlate", "centre", PLATE)):
+        with CaseRun(f"tests/cases/{case}", binaries) as run:
+            run.mesh()
+            slow = run.run("fpmExplicit")
+            damped = int(run.status()["steps"])
+            settle(run)
+            output = run.run("fpmExplicit")
+            ratio = -run.table(f"{point}/0/displacement.dat")["uz"][-1] / theory
+            steps = int(run.status()["steps"])
+            marks.within(f"{case}, relaxed / theory", ratio, 0.98, 1.02)
+            marks.below("steps of those with the mass damping of known frequency", steps / damped, 0.5)
+            marks.below("balance", run.worstBalance(), 0.01)
+            marks.true("told", "dynamic relaxation: at rest" in output
+                       and "dynamic relaxation" not in slow)
+            run.replace("system/controlDict", r"^dynamicRelaxation.*$",
+                        "massScaling { factor 9; } quasiStatic { after 0; }")
+            output = run.run("fpmExplicit")
+            marks.true("800 % mass told", " (800 %), " in output)
+            marks.true("inertia told", "more than quasiStatic.kineticShare" in output)
+
+
+def settle(run):
+    run.replace("system/controlDict", r"^massDamping .*$", "dynamicRelaxation { }")
+    loads = (run.root / "constant/boundaryConditions").read_text().count("amplitude smooth")
+    run.replace("constant/boundaryConditions", r"amplitude smooth .*\)\);", "amplitude constant;",
+                loads)

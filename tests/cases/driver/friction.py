@@ -17,7 +17,7 @@ def sliding(binaries, velocity, friction, end, slope=0.0):
         bodies="block { type box; origin (0 0 0); size (0.1 0.1 0.05); cells (2 2 1); }\n"
                "floor { type box; origin (-1 -1 -0.1); size (3 3 0.1); cells (1 1 1); }",
         # A softer block than steel: the same rigid motion in longer steps.
-        parts=elastic("block", 2e9, 0.3, 7850) + "floor { model rigid; }",
+        parts=elastic("block", 2e9, 0.3, 7850) + "floor { model rigidPrescribed; }",
         conditions="still { type fixed; part floor; }\n"
                    f"weight {{ type force; part block; value ({load[0]!r} 0 {load[2]!r}); }}",
         initial=f"v {{ type velocity; part block; value ({velocity[0]!r} {velocity[1]!r} 0); }}",
@@ -75,7 +75,7 @@ def pad(binaries, marks):
         sets="end { type plane; point (-10 0 0); normal (1 0 0); bodies (spring); }",
         parts=elastic("block", 2.4e7, 0, 7000, NO_VISCOSITY)
         + elastic("spring", spring * 10, 0, 0.7, NO_VISCOSITY)
-        + "floor { model rigid; }",
+        + "floor { model rigidPrescribed; }",
         conditions="still { type fixed; part floor; }\n"
                    "wall { type fixed; set end; }\n"
                    "lane { type fixed; part spring; components (y); }\n"

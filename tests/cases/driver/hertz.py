@@ -79,7 +79,7 @@ def squeezed(binaries, core, rings):
         files={"ball.msh": quarterSphere("ball", 50.0, core, rings, True).text()},
         sets=SETS.replace("; }", "; bodies (ball); }")
         + "far { type plane; point (0 0 0); normal (0 0 1); bodies (ball); }",
-        parts=elastic("ball", 20000, 0.3, 8e-9, PHYSICAL) + "floor { model rigid; }",
+        parts=elastic("ball", 20000, 0.3, 8e-9, PHYSICAL) + "floor { model rigidPrescribed; }",
         conditions=SYMMETRIES + "still { type fixed; part floor; }\n"
                    "press { type displacement; set far; value (0 0 -2); components (z); "
                    "amplitude smooth ((0 0) (4e-4 1)); }",

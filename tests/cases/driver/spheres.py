@@ -23,7 +23,7 @@ def bounce(binaries, core, rings):
         files={"ball.msh": quarterSphere("ball", 50.0, core, rings).text()},
         sets="planeX { type plane; point (0 0 0); normal (1 0 0); bodies (ball); }\n"
              "planeY { type plane; point (0 0 0); normal (0 1 0); bodies (ball); }\n",
-        parts=elastic("ball", 10, 0.3, 1e-9, PHYSICAL) + "floor { model rigid; }",
+        parts=elastic("ball", 10, 0.3, 1e-9, PHYSICAL) + "floor { model rigidPrescribed; }",
         conditions=SYMMETRIES + "still { type fixed; part floor; }",
         initial="v { type velocity; part ball; value (0 0 -1000); }",
         surfaces="low { part ball; within box ((-1 -1 -51) (30 30 -35)); }",

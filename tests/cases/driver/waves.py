@@ -5,7 +5,7 @@ import math
 from driver.curves import at
 from driver.scene import Scene, elastic, plastic
 
-WALL = "wall { model rigid; }\n"
+WALL = "wall { model rigidPrescribed; }\n"
 
 
 def impulse(times, forces, start=-math.inf, end=math.inf):

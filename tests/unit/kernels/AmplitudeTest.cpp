@@ -49,3 +49,15 @@ TEST(Amplitude, SmoothRowsMeetWithoutAKink)
         EXPECT_LT(std::abs(slope), 1e-5);
     }
 }
+
+/// A point 2 from the axis z turned by 30 degrees: along x by 2 (cos - 1), along y by 2 sin.
+TEST(Amplitude, OfARotationMovesAPointOnItsCircle)
+{
+    Condition c = condition(0, 2);
+    c.kind = ConditionKind::rotation;
+    c.value[0] = 60; // amplitude 0.5 at time 0.25
+    const ConditionUse alongX{0, 0, 0, -2}, alongY{0, 1, 2, 0};
+    EXPECT_NEAR(pathAt(c, alongX, rows.data(), 0.25), 2 * (std::sqrt(0.75) - 1), 1e-15);
+    EXPECT_NEAR(pathAt(c, alongY, rows.data(), 0.25), 1, 1e-15);
+    EXPECT_NEAR(drivenVelocity(c, alongY, rows.data(), 0.25, 0.25), 4, 1e-14);
+}

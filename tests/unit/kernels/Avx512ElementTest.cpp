@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <vector>
 
@@ -24,6 +25,16 @@ std::vector<BatchOutcome> eightDoubles(const std::vector<BatchCase>& cases)
 std::vector<BatchOutcome> sixteenFloats(const std::vector<BatchCase>& cases)
 {
     return outcomes<fpm::Batch<float, 16>>(cases);
+}
+
+std::vector<BatchOutcome> eightGeneralDoubles(const std::vector<BatchCase>& cases)
+{
+    return generalOutcomes<fpm::Batch<double, 8>>(cases);
+}
+
+std::vector<BatchOutcome> sixteenGeneralFloats(const std::vector<BatchCase>& cases)
+{
+    return generalOutcomes<fpm::Batch<float, 16>>(cases);
 }
 
 } // namespace
@@ -51,4 +62,13 @@ TEST(Avx512Element, SixteenFloatsEqualScalarCodeToTheLastBit)
     if (!avx512()) GTEST_SKIP() << "this processor has no AVX-512";
     const auto cases = fpm::test::batchCases(256);
     fpm::test::expectEqualBits(sixteenFloats(cases), fpm::test::scalarFloatOutcomes(cases));
+}
+
+TEST(Avx512Element, EveryGeneralLawEqualsScalarCodeToTheLastBit)
+{
+    if (!avx512()) GTEST_SKIP() << "this processor has no AVX-512";
+    const auto cases = fpm::test::batchCases(256);
+    fpm::test::expectEqualBits(eightGeneralDoubles(cases), fpm::test::generalScalarOutcomes(cases));
+    fpm::test::expectEqualBits(sixteenGeneralFloats(cases),
+                               fpm::test::generalScalarFloatOutcomes(cases));
 }

@@ -30,6 +30,10 @@ std::vector<BatchCase> batchCases(int count)
         for (double& s : e.stress) s = uniform(random);
         e.plasticStrain = uniform(random, 0, 0.06);
         for (double& q : e.hourglass) q = 0.1 * uniform(random);
+        const Matrix back = randomSymmetric(random, 0.3);
+        const Sym3<double> a = symmetric(back - back.trace() / 3 * Matrix::Identity());
+        e.backstress = {a.xx, a.yy, a.zz, a.xy, a.yz, a.zx};
+        e.temperatureRise = uniform(random, 0, 500);
         cases.push_back(e);
     }
     return cases;
@@ -43,6 +47,16 @@ std::vector<BatchOutcome> scalarOutcomes(const std::vector<BatchCase>& cases)
 std::vector<BatchOutcome> scalarFloatOutcomes(const std::vector<BatchCase>& cases)
 {
     return outcomes<float>(cases);
+}
+
+std::vector<BatchOutcome> generalScalarOutcomes(const std::vector<BatchCase>& cases)
+{
+    return generalOutcomes<double>(cases);
+}
+
+std::vector<BatchOutcome> generalScalarFloatOutcomes(const std::vector<BatchCase>& cases)
+{
+    return generalOutcomes<float>(cases);
 }
 
 void expectEqualBits(const std::vector<BatchOutcome>& a, const std::vector<BatchOutcome>& b)
@@ -68,6 +82,33 @@ TEST(BatchElement, EightFloatsEqualScalarCodeToTheLastBit)
 {
     const auto cases = batchCases(256);
     expectEqualBits(outcomes<Batch<float, 8>>(cases), scalarFloatOutcomes(cases));
+}
+
+TEST(BatchElement, EveryGeneralLawEqualsScalarCodeToTheLastBit)
+{
+    const auto cases = batchCases(256);
+    expectEqualBits(generalOutcomes<Batch<double, 4>>(cases), generalScalarOutcomes(cases));
+    expectEqualBits(generalOutcomes<Batch<float, 8>>(cases), generalScalarFloatOutcomes(cases));
+}
+
+TEST(BatchElement, EveryGeneralLawIsAtWorkInTheCases)
+{
+    const auto cases = batchCases(256);
+    const auto all = generalScalarOutcomes(cases);
+    for (std::size_t law = 0; law < 5; ++law) {
+        int yielding = 0, deleted = 0;
+        double heat = 0;
+        for (std::size_t e = 0; e < cases.size(); ++e) {
+            const BatchOutcome& outcome = all[law * cases.size() + e];
+            for (const double value : outcome) EXPECT_TRUE(std::isfinite(value));
+            yielding += outcome[24 + 6 + 12 + 4] > 0;
+            heat += outcome[54];
+            deleted += outcome[55] > 0;
+        }
+        EXPECT_GT(yielding, 10) << law;
+        EXPECT_EQ(heat > 0, law == 2);
+        EXPECT_EQ(deleted > 5 && deleted < 250, law == 3) << deleted;
+    }
 }
 
 TEST(BatchElement, TheCasesHoldElasticAndYieldingElements)

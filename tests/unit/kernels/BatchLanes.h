@@ -51,7 +51,7 @@ struct Collector {
 };
 
 /// The elements of one batch; `out` gets one outcome a lane.
-template <class T, class Hourglass>
+template <class T, class Material, class Hourglass>
 void updateLanes(const fpm::MaterialConstants<fpm::ScalarOf<T>>& material,
                  const BatchCase* cases,
                  BatchOutcome* out)
@@ -70,8 +70,15 @@ void updateLanes(const fpm::MaterialConstants<fpm::ScalarOf<T>>& material,
         lanes<T>(cases, [](const BatchCase& e) { return e.plasticStrain; });
     for (std::size_t j = 0; j < 4; ++j)
         state.hourglass[j] = vectorOf<T>(cases, &BatchCase::hourglass, 3 * j);
+    if constexpr (Material::general) {
+        const fpm::Vec3<T> direct = vectorOf<T>(cases, &BatchCase::backstress, 0),
+                           twist = vectorOf<T>(cases, &BatchCase::backstress, 3);
+        state.backstress = {direct.x, direct.y, direct.z, twist.x, twist.y, twist.z};
+        state.temperatureRise =
+            lanes<T>(cases, [](const BatchCase& e) { return e.temperatureRise; });
+    }
     const T mass = lanes<T>(cases, [](const BatchCase& e) { return e.mass; });
-    const fpm::ElementStep<T> step = fpm::updateHexahedron<fpm::J2Plasticity, Hourglass>(
+    const fpm::ElementStep<T> step = fpm::updateHexahedron<Material, Hourglass>(
         material, x, w, mass, Real(fpm::test::batchRate), Real(fpm::test::batchStrainPoint), state);
 
     Collector<T> collect{out};
@@ -82,6 +89,12 @@ void updateLanes(const fpm::MaterialConstants<fpm::ScalarOf<T>>& material,
     for (const T& value : {step.internal, step.plastic, step.hourglass, step.bulkViscosity,
                            step.plasticStrainIncrement, step.stableTimeStep})
         collect(value);
+    if constexpr (Material::general) {
+        const fpm::Sym3<T>& a = state.backstress;
+        for (const T& value :
+             {a.xx, a.yy, a.zz, a.xy, a.yz, a.zx, step.temperatureIncrement, step.deletes})
+            collect(value);
+    }
 }
 
 template <class Real>
@@ -120,9 +133,59 @@ std::vector<BatchOutcome> outcomes(const std::vector<BatchCase>& cases)
     std::vector<BatchOutcome> all(3 * cases.size());
     BatchOutcome* out = all.data();
     for (std::size_t e = 0; e + width <= cases.size(); e += width) {
-        updateLanes<T, fpm::StiffnessHourglass>(material, &cases[e], out + e);
-        updateLanes<T, fpm::ViscousHourglass>(material, &cases[e], out + cases.size() + e);
-        updateLanes<T, fpm::PhysicalHourglass>(material, &cases[e], out + 2 * cases.size() + e);
+        updateLanes<T, fpm::J2Plasticity, fpm::StiffnessHourglass>(material, &cases[e], out + e);
+        updateLanes<T, fpm::J2Plasticity, fpm::ViscousHourglass>(material, &cases[e],
+                                                                 out + cases.size() + e);
+        updateLanes<T, fpm::J2Plasticity, fpm::PhysicalHourglass>(material, &cases[e],
+                                                                  out + 2 * cases.size() + e);
+    }
+    return all;
+}
+
+/// One material for each law, and what goes with it.
+template <class Real>
+std::vector<fpm::MaterialConstants<Real>> generalMaterials()
+{
+    std::vector<fpm::MaterialConstants<Real>> all(5, batchMaterial<Real>());
+    all[0].general.kinematicModulus = Real(20);
+    all[1].general.rateLaw = fpm::RateLaw::cowperSymonds;
+    all[1].general.referenceRate = Real(0.1);
+    all[1].general.rateCoefficient = Real(0.2);
+    fpm::GeneralConstants<Real>& hot = all[2].general;
+    all[2].rows = 1;
+    all[2].slope[0] = Real(0);
+    hot.powerModulus = Real(3);
+    hot.powerExponent = Real(0.31);
+    hot.rateLaw = fpm::RateLaw::logarithmic;
+    hot.referenceRate = Real(0.01);
+    hot.rateCoefficient = Real(0.025);
+    hot.heatPerWork = Real(30);
+    hot.temperature = hot.roomTemperature = Real(293);
+    hot.softeningExponent = Real(1.09);
+    hot.inverseMeltingRange = Real(1.0 / 1000);
+    all[3].general.erodes = all[3].general.erodesInverted = true;
+    all[3].general.erosionStrain = Real(0.06);
+    all[4].general.tangentHourglass = true;
+    all[4].coupledHourglass = Real(0);
+    return all;
+}
+
+/// Runs every law, the hourglass forms in turn.
+template <class T>
+std::vector<BatchOutcome> generalOutcomes(const std::vector<BatchCase>& cases)
+{
+    constexpr std::size_t width = std::size_t(fpm::NumberTraits<T>::lanes);
+    const auto materials = generalMaterials<fpm::ScalarOf<T>>();
+    std::vector<BatchOutcome> all(materials.size() * cases.size());
+    for (std::size_t law = 0; law < materials.size(); ++law) {
+        BatchOutcome* out = all.data() + law * cases.size();
+        for (std::size_t e = 0; e + width <= cases.size(); e += width)
+            if (law % 2 == 0)
+                updateLanes<T, fpm::GeneralPlasticity, fpm::PhysicalHourglass>(materials[law],
+                                                                               &cases[e], out + e);
+            else
+                updateLanes<T, fpm::GeneralPlasticity, fpm::StiffnessHourglass>(materials[law],
+                                                                                &cases[e], out + e);
     }
     return all;
 }

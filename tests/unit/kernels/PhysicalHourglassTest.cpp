@@ -206,6 +206,35 @@ TEST(PhysicalHourglass, PureBendingTendsToThePlasticMoment)
     EXPECT_NEAR(moments(x, element.force)[1], 0, 0.01 * plasticMoment);
 }
 
+TEST(PhysicalHourglass, LayersOfASectionTendToItsPlasticMoment)
+{
+    // n elements through the thickness share it: sigma_y t^2 / 4 a width, whatever n is. Stretched
+    // without change of volume, each in uniaxial stress but for a pressure that plays no part.
+    const double yieldStress = 2.85, steady = 0.499;
+    const double atYield = 2 * yieldStress / (young * s3), plastic = yieldStress * s3 * s3 / 4 * s2;
+    MaterialConstants<double> m = materialOf(young, steady, 1, yieldStress, 1e-6);
+    m.coupledHourglass = 1;
+    for (const int layers : {1, 2, 3, 4, 7}) {
+        const Corners x = brick(s1, s2, s3 / layers);
+        double moment = 0;
+        for (int layer = 0; layer < layers; ++layer) {
+            const double z = s3 * ((layer + 0.5) / layers - 0.5);
+            Bent element(m, x);
+            const int steps = 2000;
+            for (int n = 1; n <= steps; ++n) {
+                const double curvature = 20 * atYield * n / steps;
+                Corners u = bent(x, curvature, -steady * curvature);
+                u += x * Vector(1, -0.5, -0.5).asDiagonal() * (curvature * z);
+                element.advance(x + u);
+            }
+            const Matrix stress = element.stress();
+            moment +=
+                (stress(0, 0) - stress(1, 1)) * s2 * s3 / layers * z + moments(x, element.force)[0];
+        }
+        EXPECT_NEAR(moment, plastic, 0.01 * plastic) << layers << " layers";
+    }
+}
+
 TEST(PhysicalHourglass, WorkOfYieldingBendingIsStoredOrDissipated)
 {
     const Corners x = brick(s1, s2, s3);

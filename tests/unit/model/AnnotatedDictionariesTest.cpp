@@ -30,6 +30,8 @@ void readAll(const test::CaseFolder& folder)
 {
     Log log = Log::quiet();
     Mesh mesh = test::rodAndPlates();
+    test::addBox(mesh, {"striker", {0, 0, 50}, {10, 10, 2}});
+    test::addBox(mesh, {"sleeve", {60, 0, 0}, {5, 5, 5}});
     setContact(mesh, folder.open().dictionary("system/contactDict"), folder.open(), log);
     folder.write(mesh);
     readModel(folder.open(), log);

@@ -84,3 +84,64 @@ TEST(BoundaryReader, RefusesTwoInitialVelocitiesOfANode)
     EXPECT_TRUE(contains(refusal([&] { readInitialVelocities(dictionary, oneBlock()); }),
                          "node 7 already has another velocity from 'a'"));
 }
+
+TEST(BoundaryReader, ReadsANormalOrAxesOfAnyDirection)
+{
+    const BoundaryCondition plane = readOne("type symmetry; set block.xMin; normal (3 0 4);");
+    EXPECT_EQ(plane.constrains, (std::array{true, false, false}));
+    EXPECT_NEAR(plane.axes[0][0], 0.6, 1e-15);
+    EXPECT_NEAR(plane.axes[0][2], 0.8, 1e-15);
+    EXPECT_TRUE(readOne("type symmetry; set block.xMin; normal (0 -2 0);").isGlobal());
+
+    const BoundaryCondition pull = readOne("type velocity; set tip; value (5 0 0); components (x);"
+                                           "axes ((0 0 2) (0 -1 0));");
+    EXPECT_EQ(pull.globalValue(), (Point{0, 0, 5}));
+    EXPECT_EQ(pull.axes[2], (Point{1, 0, 0}));
+}
+
+TEST(BoundaryReader, RefusesAxesThatAreNone)
+{
+    EXPECT_TRUE(contains(refusalOf("type fixed; set tip; axes ((1 0 0) (1 1 0));"),
+                         "the two directions are not perpendicular"));
+    EXPECT_TRUE(contains(refusalOf("type fixed; set tip; axes ((1 0 0));"),
+                         "'axes' has 1 directions, not 2"));
+    EXPECT_TRUE(contains(refusalOf("type symmetry; set tip; normal (0 0 0);"),
+                         "a direction of 'normal' has no length"));
+}
+
+TEST(BoundaryReader, ReadsLoadsOnSidesAndParts)
+{
+    const BoundaryCondition blast = readOne("type pressure; set block.zMax; value 3;");
+    EXPECT_EQ(blast.sides.size(), 1u);
+    EXPECT_EQ(blast.value[0], 3);
+    EXPECT_EQ(readOne("type traction; set block.zMax; value (1 2 3);").nodes.size(), 4u);
+    EXPECT_EQ(readOne("type force; set block.zMax; value (1 2 3); distribution area;").sides.size(),
+              1u);
+    EXPECT_EQ(readOne("type gravity; value (0 0 -9.81);").parts, (std::vector<Index>{0}));
+
+    EXPECT_TRUE(contains(refusalOf("type pressure; set tip; value 3;"),
+                         "'tip' is a set of nodes: it has no area"));
+    EXPECT_TRUE(contains(refusalOf("type gravity; parts (blok); value (0 0 -9.81);"),
+                         "the mesh has no part 'blok'"));
+}
+
+TEST(BoundaryReader, RefusesARotationThatJumpsOrHasNoAxis)
+{
+    const std::string turn = "type rotation; part block; centre (0 0 0); angle 30; ";
+    EXPECT_TRUE(
+        contains(refusalOf(turn + "axis (0 0 1);"), "the rotation would jump by 30 at time 0"));
+    EXPECT_TRUE(contains(refusalOf(turn + "axis (0 0 0);"), "a direction of 'axis' has no length"));
+    const BoundaryCondition read = readOne(turn + "axis (0 0 5); amplitude smooth ((0 0) (1 1));");
+    EXPECT_EQ(read.line[1], (Point{0, 0, 1}));
+}
+
+TEST(BoundaryReader, AddsAnInitialRotationToAVelocity)
+{
+    const auto read = readInitialVelocities(
+        Dictionary::parse("a { type velocity; part block; value (0 0 1); }"
+                          "b { type rotation; part block; axis (0 0 2); centre (1 0 0);"
+                          "angularVelocity 10; }"),
+        oneBlock());
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read[1].at({1, 2, 5}), (Point{-20, 0, 0}));
+}

@@ -140,7 +140,7 @@ TEST(ContactSetup, RefusesAPairOfRigidParts)
 {
     Workshop shop(blocks(0.1));
     shop.folder.write("constant/partProperties",
-                      "parts { upper { model rigid; } lower { like upper; } }");
+                      "parts { upper { model rigidPrescribed; } lower { like upper; } }");
 
     EXPECT_TRUE(contains(refusal([&] { shop.run(onePair); }),
                          "parts 'upper' and 'lower' are both rigid: neither can give way"));

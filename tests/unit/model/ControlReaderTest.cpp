@@ -25,8 +25,14 @@ std::vector<History> readFunctions(const std::string& text, Log log = Log::quiet
     BoundaryCondition weight;
     weight.name = "weight";
     weight.kind = BoundaryCondition::Kind::force;
-    return readHistories(Dictionary::parse("functions { " + text + " }"),
-                         test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}}), {press, weight}, log);
+    Model model;
+    model.mesh = test::boxMesh({{"rod", {0, 0, 0}, {1, 1, 1}}});
+    model.boundaryConditions = {press, weight};
+    model.parts = {Part{}};
+    model.rigidSurfaces.resize(2);
+    model.rigidSurfaces[0].name = "wall";
+    model.rigidSurfaces[1].name = "upperDie";
+    return readHistories(Dictionary::parse("functions { " + text + " }"), model, log);
 }
 
 } // namespace
@@ -57,6 +63,49 @@ TEST(ControlReader, ReadsWhatIsSaid)
     EXPECT_FALSE(control.midStepStrain);
     EXPECT_EQ(control.threads, 3);
     EXPECT_EQ(control.energyStop, 0.2);
+}
+
+TEST(ControlReader, QuasiStaticToolsAreOffUnlessGiven)
+{
+    const Control off = read("endTime 2;");
+    EXPECT_EQ(off.kineticShare, 0);
+    EXPECT_EQ(off.relaxationTolerance, 0);
+    const Control preset = read("endTime 2; quasiStatic { } dynamicRelaxation { }");
+    EXPECT_EQ(preset.kineticShare, 0.05);
+    EXPECT_EQ(preset.quasiStaticAfter, 0.2);
+    EXPECT_EQ(preset.relaxationTolerance, 1e-3);
+    const Control given = read("endTime 2; quasiStatic { kineticShare 0.1; after 1; } "
+                               "dynamicRelaxation { tolerance 1e-4; }");
+    EXPECT_EQ(given.kineticShare, 0.1);
+    EXPECT_EQ(given.quasiStaticAfter, 1);
+    EXPECT_EQ(given.relaxationTolerance, 1e-4);
+    EXPECT_TRUE(contains(refusal([] { read("endTime 2; dynamicRelaxation { tolerance 1; }"); }),
+                         "tolerance"));
+}
+
+TEST(ControlReader, ScalesTheMassOfTheChosenParts)
+{
+    const auto scaled = [](const std::string& text) {
+        std::vector<Part> parts(3);
+        parts[0].name = "rod";
+        parts[1].name = "plate";
+        parts[2].name = "die";
+        parts[2].kind = PartKind::rigidPrescribed;
+        readMassScaling(Dictionary::parse(text), parts);
+        return parts;
+    };
+    EXPECT_EQ(scaled("")[0].massFactor, 1);
+    const auto all = scaled("massScaling { factor 100; targetStep 1e-6; }");
+    EXPECT_EQ(all[0].massFactor, 100);
+    EXPECT_EQ(all[1].targetStep, 1e-6);
+    EXPECT_EQ(all[2].massFactor, 1);
+    const auto one = scaled("massScaling { targetStep 1e-6; parts (plate); }");
+    EXPECT_EQ(one[0].targetStep, 0);
+    EXPECT_EQ(one[1].targetStep, 1e-6);
+    const auto refused = [&](const std::string& text) { return refusal([&] { scaled(text); }); };
+    EXPECT_TRUE(contains(refused("massScaling { parts (die); }"), "no part 'die'"));
+    EXPECT_TRUE(contains(refused("massScaling { parts (plat); }"), "plate"));
+    EXPECT_TRUE(contains(refused("massScaling { factor 0.5; }"), "factor"));
 }
 
 TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
@@ -117,6 +166,22 @@ TEST(HistoryReader, SumsAReactionOverTheNodesOfItsCondition)
               (std::vector<Index>{1, 2}));
 }
 
+TEST(HistoryReader, TakesTheReactionOfAnAnalyticSurfaceAndAFactor)
+{
+    const History die = readFunctions("f { type reaction; surface upperDie; factor 4; }")[0];
+    EXPECT_EQ(die.surface, 1);
+    EXPECT_EQ(die.condition, -1);
+    EXPECT_EQ(die.factor, 4);
+    EXPECT_EQ(readFunctions("f { type reaction; condition press; }")[0].condition, 0);
+    EXPECT_TRUE(contains(refusal([] { readFunctions("f { type reaction; surface uperDie; }"); }),
+                         "did you mean 'upperDie'?"));
+    EXPECT_TRUE(contains(
+        refusal([] { readFunctions("f { type reaction; surface wall; condition press; }"); }),
+        "both 'condition' and 'surface' are given"));
+    EXPECT_TRUE(contains(
+        refusal([] { readFunctions("f { type reaction; surface wall; factor 0; }"); }), "factor"));
+}
+
 TEST(HistoryReader, RefusesWhatIsNotThere)
 {
     EXPECT_TRUE(
@@ -136,4 +201,10 @@ TEST(HistoryReader, RefusesWhatIsNotThere)
 TEST(HistoryReader, RefusesANameThatCouldLeaveTheCase)
 {
     EXPECT_FALSE(refusal([] { readFunctions("\"../x\" { type energies; }"); }).empty());
+}
+
+TEST(ControlReader, RefusesTheMotionOfABodyThatIsNotRigidFree)
+{
+    EXPECT_TRUE(contains(refusal([] { readFunctions("a { type rigidBody; part rod; }"); }),
+                         "part 'rod' is not rigidFree"));
 }

@@ -81,7 +81,7 @@ TEST(PartReader, ChoosesTheHourglassCoefficientByForm)
 
 TEST(PartReader, NeedsNothingButTheModelOfARigidPart)
 {
-    EXPECT_EQ(readOne("model rigid;").kind, PartKind::rigid);
+    EXPECT_EQ(readOne("model rigidPrescribed;").kind, PartKind::rigidPrescribed);
 }
 
 TEST(PartReader, RefusesAnEntryWithoutPart)
@@ -119,7 +119,7 @@ TEST(PartReader, RefusesPhysicsOutOfRange)
 
 TEST(PartReader, RefusesPlasticityInARigidPart)
 {
-    EXPECT_TRUE(contains(refusalOf("model rigid; yieldStress 5;"), "no meaning for model rigid"));
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; yieldStress 5;"), "no meaning for a rigid part"));
 }
 
 TEST(PartReader, RefusesTwoDescriptionsOfTheYieldStress)
@@ -153,7 +153,8 @@ TEST(PartReader, RefusesPartsLikeOneAnotherInACircle)
 TEST(PartReader, SeesWhichPartsAreRigidWithoutTheirMaterials)
 {
     const auto rigid = readRigidParts(
-        Dictionary::parse("parts { a { model rigid; } b { like a; } c { model elastic; } }"),
+        Dictionary::parse(
+            "parts { a { model rigidPrescribed; } b { like a; } c { model elastic; } }"),
         meshOf({"a", "b", "c", "d"}));
 
     EXPECT_EQ(rigid, (std::vector<bool>{true, true, false, false}));
@@ -169,4 +170,40 @@ TEST(PartReader, ReadsTheRotationAlsoOfThePartItIsLike)
         meshOf({"a", "b"}));
     EXPECT_EQ(parts[1].rotation, RotationForm::hughesWinget);
     EXPECT_TRUE(contains(refusalOf(elastic + "rotation jaumann;"), "hughesWinget"));
+}
+
+TEST(PartReader, ReadsARigidFreePart)
+{
+    EXPECT_EQ(readOne("model rigidFree; density 2;").kind, PartKind::rigidFree);
+    const Part part =
+        readOne("model rigidFree; mass 3; centre (1 2 3); inertia (3 4 5 0.1 0.2 0.3);");
+    EXPECT_EQ(part.inertia.mass, 3);
+    EXPECT_EQ(part.inertia.centre, (Point{1, 2, 3}));
+    EXPECT_EQ(part.inertia.inertia[5], 0.3);
+}
+
+TEST(PartReader, RefusesARigidFreePartThatNoBodyCouldBe)
+{
+    EXPECT_TRUE(contains(refusalOf("model rigidFree;"), "is rigidFree, but its mass is not known"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1 3 0 0 0);"),
+                         "no body has this inertia"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1 1 2 0 0);"),
+                         "no body has this inertia"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; mass 1; inertia (1 1);"),
+                         "'inertia' has 2 values, not 6"));
+    EXPECT_TRUE(contains(refusalOf("model rigidFree; density 1; centre (0 0 0);"),
+                         "'centre' is given without 'inertia'"));
+}
+
+TEST(PartReader, ASelectiveHexahedronTurnsByItsSpin)
+{
+    EXPECT_EQ(readOne(elastic).hexahedron, HexahedronForm::reduced);
+    for (const char* rotation : {"", " rotation hughesWinget;"}) {
+        const Part part = readOne(elastic + "hexahedron selective;" + rotation);
+        EXPECT_EQ(part.hexahedron, HexahedronForm::selective);
+        EXPECT_EQ(part.rotation, RotationForm::hughesWinget);
+    }
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron selective; rotation polar;"),
+                         "write: rotation hughesWinget;"));
+    EXPECT_TRUE(contains(refusalOf(elastic + "hexahedron full;"), "reduced, selective"));
 }

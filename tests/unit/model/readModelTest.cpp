@@ -20,7 +20,7 @@ void writeCase(const test::CaseFolder& folder)
     folder.write("constant/partProperties",
                  "parts { rod { model elastic; density 7.85e-9; youngsModulus 210000; "
                  "poissonsRatio 0.3; } plate1 { like rod; } plate2 { like rod; } "
-                 "die { model rigid; } }");
+                 "die { model rigidPrescribed; } }");
     folder.write("constant/boundaryConditions",
                  "edges { type fixed; set plateEdges; } die { type fixed; part die; }");
     folder.write("0/initialConditions", "fall { type velocity; part rod; value (0 0 -100); }");
@@ -47,7 +47,7 @@ TEST(ReadModel, BringsTheWholeCaseTogether)
     const Model model = read(folder);
 
     EXPECT_EQ(model.parts.size(), model.mesh.parts.size());
-    EXPECT_EQ(model.parts[3].kind, PartKind::rigid);
+    EXPECT_EQ(model.parts[3].kind, PartKind::rigidPrescribed);
     EXPECT_EQ(model.boundaryConditions.size(), 2u);
     EXPECT_EQ(model.initialVelocities[0].nodes.size(), 45u);
     ASSERT_EQ(model.contactPairs.size(), 1u);
@@ -89,8 +89,8 @@ TEST(ReadModel, RefusesAPairWhosePartsBecameRigid)
     const test::CaseFolder folder;
     writeCase(folder);
     folder.write("constant/partProperties",
-                 "parts { rod { model rigid; } plate1 { like rod; } plate2 { like rod; } "
-                 "die { model rigid; } }");
+                 "parts { rod { model rigidPrescribed; } plate1 { like rod; } plate2 { like rod; } "
+                 "die { model rigidPrescribed; } }");
     folder.write("constant/boundaryConditions",
                  "a { type fixed; part rod; } b { type fixed; part plate1; }"
                  "c { type fixed; part plate2; } d { type fixed; part die; }");
@@ -98,4 +98,19 @@ TEST(ReadModel, RefusesAPairWhosePartsBecameRigid)
     folder.write("0/initialConditions", "");
 
     EXPECT_TRUE(contains(refusal([&] { read(folder); }), "are both rigid"));
+}
+
+TEST(ReadModel, RefusesFreeRigidPartsWithoutATimeStep)
+{
+    const test::CaseFolder folder;
+    writeCase(folder);
+    folder.write("constant/partProperties",
+                 "parts { rod { model rigidFree; density 1; } plate1 { model rigidPrescribed; } "
+                 "plate2 { like plate1; } die { like plate1; } }");
+    folder.write("constant/boundaryConditions",
+                 "a { type fixed; part plate1; } b { type fixed; part plate2; }"
+                 "c { type fixed; part die; }");
+
+    EXPECT_TRUE(contains(refusal([&] { read(folder); }),
+                         "all parts are rigid: nothing limits the time step"));
 }

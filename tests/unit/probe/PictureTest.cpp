@@ -161,3 +161,20 @@ TEST(Picture, IsTheSameFileTwice)
 
     EXPECT_EQ(draw(spec, mesh, ramp(mesh)).svg, draw(spec, mesh, ramp(mesh)).svg);
 }
+
+TEST(Picture, LeavesDeletedElementsOut)
+{
+    const Mesh mesh = block();
+    Frame frame = ramp(mesh);
+    frame.elementFields.push_back({"STATUS", 1, {1, 0, 1, 1}});
+
+    PicturePainter painter(fromAbove("T"), mesh);
+    painter.include(frame);
+    const Image holed = test::decodePng(painter.draw(frame).png);
+    EXPECT_TRUE(isWhite(at(holed, 0.75, 0.75))); // the element of large x and small y
+    EXPECT_FALSE(isWhite(at(holed, 0.25, 0.75)));
+    EXPECT_FALSE(isWhite(at(holed, 0.75, 0.25)));
+
+    frame.elementFields[0].values[1] = 1; // another frame is whole again
+    EXPECT_FALSE(isWhite(at(test::decodePng(painter.draw(frame).png), 0.75, 0.75)));
+}

@@ -13,6 +13,7 @@ namespace {
 struct Kind {
     std::string name;
     RotationForm rotation;
+    HexahedronForm hexahedron = HexahedronForm::reduced;
 };
 
 void PrintTo(const Kind& kind, std::ostream* out)
@@ -24,10 +25,13 @@ Part partOf(const Kind& kind, PartKind law, HourglassForm form = HourglassForm::
 {
     Part part = aluminium(law, form);
     part.rotation = kind.rotation;
+    part.hexahedron = kind.hexahedron;
     return part;
 }
 
-const Kind kinds[] = {{"polar", RotationForm::polar}, {"hughesWinget", RotationForm::hughesWinget}};
+const Kind kinds[] = {{"polar", RotationForm::polar},
+                      {"hughesWinget", RotationForm::hughesWinget},
+                      {"selective", RotationForm::hughesWinget, HexahedronForm::selective}};
 
 class ElementKinds : public testing::TestWithParam<Kind>
 {};
@@ -142,6 +146,16 @@ TEST(ElementMemory, HoldsOnlyWhatThePartKeeps)
     const std::size_t stiffness = bytes(PartKind::elastoplastic, HourglassForm::stiffness);
     EXPECT_EQ(stiffness - bytes(PartKind::elastoplastic, HourglassForm::viscous), 16 * 12 * 8u);
     EXPECT_EQ(stiffness - bytes(PartKind::elastic, HourglassForm::stiffness), 16 * 8u);
+}
+
+TEST(ElementMemory, ASelectiveElementHoldsEightStressesAndEightPlasticStrains)
+{
+    const auto bytes = [](HexahedronForm form) {
+        Part part = aluminium(PartKind::elastoplastic, HourglassForm::viscous);
+        part.hexahedron = form;
+        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->deviceBytes();
+    };
+    EXPECT_EQ(bytes(HexahedronForm::selective) - bytes(HexahedronForm::reduced), 16 * 7 * 7 * 8u);
 }
 
 } // namespace

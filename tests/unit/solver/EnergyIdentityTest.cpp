@@ -27,6 +27,33 @@ Model busyScene()
     model.boundaryConditions.push_back(
         condition(Kind::displacement, "push", nodesWhere(model.mesh, back), {false, true, false},
                   {0, -0.02, 0}, {Amplitude::Kind::smooth, {{0, 0}, {1e-5, 1}}}));
+    BoundaryCondition pressure =
+        condition(Kind::pressure, "blast", {}, {true, true, true}, {30, 0, 0},
+                  {Amplitude::Kind::table, {{0, 1}, {2e-6, 0}}});
+    pressure.sides = facing(model.mesh, "upper", {0, 1, 0});
+    pressure.nodes = nodesOf(model.mesh, pressure.sides);
+    BoundaryCondition traction =
+        condition(Kind::traction, "shear", {}, {true, true, true}, {20, 10, -5});
+    traction.sides = facing(model.mesh, "upper", {1, 0, 0});
+    traction.nodes = nodesOf(model.mesh, traction.sides);
+    traction.axes = {{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}};
+    BoundaryCondition gravity =
+        condition(Kind::gravity, "fall", nodesWhere(model.mesh, [](Point) { return true; }),
+                  {true, true, true}, {1e8, 0, -3e8});
+    gravity.parts = {0, 1};
+    BoundaryCondition slide = condition(
+        Kind::fixed, "mirror",
+        nodesWhere(model.mesh, [](Point p) { return p[0] > 6.99 && p[0] < 7.01 && p[2] > 5; }),
+        {true, false, false});
+    slide.axes = {{{0.6, 0, 0.8}, {-0.8, 0, 0.6}, {0, -1, 0}}};
+    BoundaryCondition turn = condition(
+        Kind::rotation, "turn",
+        nodesWhere(model.mesh, [](Point p) { return p[0] > 9.99 && p[2] > -3.99 && p[1] < 8.99; }),
+        {true, true, true}, {0, 0, 0}, {Amplitude::Kind::smooth, {{0, 0}, {1e-5, 1}}});
+    turn.line = {Point{10, 3, -2}, Point{1, 0, 0}};
+    turn.angle = 0.5;
+    for (const BoundaryCondition& one : {pressure, traction, gravity, slide, turn})
+        model.boundaryConditions.push_back(one);
     model.control.massDamping = 2e4;
     return model;
 }

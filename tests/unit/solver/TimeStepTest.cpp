@@ -138,7 +138,7 @@ TEST(TimeStep, FixedStepBeyondTheBoundFails)
 TEST(TimeStep, RigidPartNeedsNoDensityAndLimitsNothing)
 {
     Model model = fall(1);
-    model.parts[0].kind = PartKind::rigid;
+    model.parts[0].kind = PartKind::rigidPrescribed;
     model.parts[0].density = model.parts[0].youngsModulus = model.parts[0].poissonsRatio = 0;
     model.boundaryConditions.push_back(condition(BoundaryCondition::Kind::velocity, "driven",
                                                  nodesOfPart(model.mesh, "lower"),

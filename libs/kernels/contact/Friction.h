@@ -1,0 +1,119 @@
+#pragma once
+
+#include "kernels/contact/FaceProjection.h"
+#include "parallel/Exponential.h"
+
+namespace fpm {
+
+/// Coulomb friction with elastic slip: mu = mu_d + (mu_s - mu_d) exp(-decay |slip speed|).
+template <class Work>
+struct FrictionLaw {
+    Work staticCoefficient, dynamicCoefficient;
+    double decay;        ///< [time/length]
+    Work stiffnessRatio; ///< k_t / k_n
+    bool paper;          ///< eqs. 17-18 as printed: a vector in space that does not turn
+
+    FPM_KERNEL bool acts() const { return staticCoefficient > 0; }
+    FPM_KERNEL Work coefficient(Work slip, double step) const
+    {
+        if (!(staticCoefficient > dynamicCoefficient)) return staticCoefficient;
+        const double speed = step > 0 ? double(slip) / step : 0;
+        return dynamicCoefficient
+               + (staticCoefficient - dynamicCoefficient)
+                     * Work(decayingExponential(decay * speed));
+    }
+};
+
+/// The tangential force after a slip (eqs. 17-18): the stored force minus k_t times the slip,
+/// capped at mu times the normal force. What the spring does not take is added to `dissipated`.
+template <class Work>
+FPM_KERNEL Vec3<Work> frictionForce(const FrictionLaw<Work>& law,
+                                    const Vec3<Work>& stored,
+                                    const Vec3<Work>& slip,
+                                    Work tangentialStiffness,
+                                    Work normalForce,
+                                    double step,
+                                    double& dissipated)
+{
+    const Vec3<Work> trial = stored - tangentialStiffness * slip;
+    const Work most = law.coefficient(squareRoot(dot(slip, slip)), step) * normalForce;
+    const Work size = squareRoot(dot(trial, trial));
+    if (!(size > most)) return trial;
+    const Vec3<Work> capped = (most / size) * trial;
+    // Mean force over the step times the slip the spring does not take: with it the nodes' work,
+    // trapezoidal as theirs, is stored plus dissipated.
+    dissipated += double(Work(0.5) * dot(stored + capped, trial - capped) / tangentialStiffness);
+    return capped;
+}
+
+template <class Work>
+FPM_KERNEL Vec3<Work> inPlane(const Vec3<Work>& v, const Vec3<Work>& normal)
+{
+    return v - dot(v, normal) * normal;
+}
+
+/// A vector of the plane with normal `from`, taken into that with normal `to` by the smallest
+/// rotation; its length is kept.
+template <class Work>
+FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, const Vec3<Work>& to)
+{
+    const Work onePlusCosine = Work(1) + dot(from, to);
+    if (!(onePlusCosine > Work(1e-3))) return v; // folded over: no smallest rotation
+    return v - (dot(to, v) / onePlusCosine) * (from + to);
+}
+
+/// Orthonormal frame of a face, convected with it: e1 along the xi tangent of its middle.
+template <class Work>
+struct FaceFrame {
+    Vec3<Work> e1, e2, normal;
+
+    FPM_KERNEL explicit FaceFrame(const FaceCorners<Work>& face)
+    {
+        const Vec3<Work>* x = face.corner;
+        normal = unit(cross(x[2] - x[0], x[3] - x[1]));
+        e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
+        e2 = cross(normal, e1);
+    }
+    /// Components (x, y) of a vector of the plane with normal n.
+    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v, const Vec3<Work>& n) const
+    {
+        const Vec3<Work> mine = turnedPlane(v, n, normal);
+        return {dot(mine, e1), dot(mine, e2), Work(0)};
+    }
+    /// The vector of the plane with normal n that has these components.
+    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
+    {
+        return turnedPlane(components.x * e1 + components.y * e2, normal, n);
+    }
+
+private:
+    FPM_KERNEL static Vec3<Work> unit(const Vec3<Work>& v)
+    {
+        const Work length = squareRoot(dot(v, v));
+        return length > 0 ? (Work(1) / length) * v : v;
+    }
+};
+
+/// Way of the contact point over the material of a face, from (xiOld, etaOld) to (xi, eta) on the
+/// face as it lies now: exact for a bilinear face, and zero whatever rigid motion the bodies share.
+template <class Work>
+FPM_KERNEL Vec3<Work>
+slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
+{
+    Vec3<Work> offset, t1, t2;
+    const Work half = Work(0.5);
+    evaluateFace(face, half * (xi + xiOld), half * (eta + etaOld), offset, t1, t2);
+    return (xi - xiOld) * t1 + (eta - etaOld) * t2;
+}
+
+/// The same from a point of one face to a point of another.
+template <class Work>
+FPM_KERNEL Vec3<Work>
+slipBetweenFaces(const FaceCorners<Work>& old, Work xiOld, Work etaOld, const Vec3<Work>& offset)
+{
+    Vec3<Work> oldOffset, t1, t2;
+    evaluateFace(old, xiOld, etaOld, oldOffset, t1, t2);
+    return oldOffset - offset;
+}
+
+} // namespace fpm

@@ -1,0 +1,159 @@
+#pragma once
+
+#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/Penalty.h"
+#include "kernels/particle/Amplitude.h"
+#include "kernels/particle/StepClock.h"
+#include "parallel/Precision.h"
+
+namespace fpm {
+
+/// A point seen from an analytic surface: distance, negative inside the body, and outward normal.
+struct SurfacePoint {
+    double gap;
+    Vec3<double> normal;
+    bool opposite; ///< the surface has a point opposite this one, and one normal there
+};
+
+/// A plane, cylinder or sphere that moves without turning.
+struct SurfaceShape {
+    enum Kind : std::int32_t { plane, cylinder, sphere };
+    Kind kind;
+    bool inside;  ///< the body is outside of the cylinder or sphere, which is a hole in it
+    bool bounded; ///< a cylinder that ends where its axis ends, without caps
+    bool moves;
+    Vec3<double> point; ///< of the plane; first end of the axis; centre
+    Vec3<double> axis;  ///< outward normal of the plane; unit vector of the cylinder's axis
+    double length, radius;
+    Condition motion; ///< displacement or velocity, if it moves
+
+    FPM_KERNEL Vec3<double> displacement(const double* amplitudeRows, double time) const
+    {
+        if (!moves) return {0, 0, 0};
+        const double way = travelAt(motion, amplitudeRows, time);
+        return {way * motion.value[0], way * motion.value[1], way * motion.value[2]};
+    }
+
+    /// `x`: position less the displacement of the surface.
+    FPM_KERNEL SurfacePoint at(const Vec3<double>& x) const
+    {
+        Vec3<double> r = x - point;
+        if (kind == plane) return {dot(r, axis), axis, true};
+        bool opposite = true;
+        if (kind == cylinder) {
+            const double along = dot(r, axis);
+            opposite = !bounded || (along >= 0 && along <= length);
+            r = r - along * axis;
+        }
+        const double distance = squareRoot(dot(r, r));
+        if (!(distance > 0)) return {0, axis, false}; // on the axis: every normal is as good
+        const double sign = inside ? -1 : 1;
+        return {sign * (distance - radius), (sign / distance) * r, opposite};
+    }
+};
+
+/// Penalty and friction force of one contactor against an analytic surface: exact gap and normal,
+/// no faces, no search. Arrays over contactors, as in PairView.
+template <class Precision>
+struct SurfaceForce {
+    using Work = typename Precision::Work;
+
+    Index contactorCount;
+    const Index* contactor;
+    const Index* contactorNumber;
+    double* force; ///< on the contactor, this step
+    double* work;  ///< done by the moving surface, running sum
+    const typename Precision::Position* position;
+    const typename Precision::Motion* velocity;
+    std::size_t nodeStride;
+    std::int64_t* sum;
+    ForceScale scale;
+    const StepClock* clock;
+    const double* amplitudeRows;
+    double reach;   ///< gap at which a spring counts for the step
+    double deepest; ///< no force grows beyond this depth: the sums have a largest value
+    SurfaceShape shape;
+    PairLaw<Work> law;
+
+    FPM_KERNEL void operator()(Index i) const
+    {
+        if (!clock->running) return;
+        const std::size_t node = std::size_t(contactor[i]);
+        const double now = clock->time, step = clock->step;
+        const Vec3<double> moved = shape.displacement(amplitudeRows, now);
+        const Vec3<double> x =
+            Vec3<double>{double(position[node]), double(position[nodeStride + node]),
+                         double(position[2 * nodeStride + node])}
+            - moved;
+        const SurfacePoint at = shape.at(x);
+        const bool near = at.opposite && at.gap < reach;
+        const Vec3<double> before = lastForce(i);
+        // A contactor out of reach that was open has nothing to tell.
+        if (!near && !(law.spring[i] > 0)) return;
+        const Vec3<double> surfaceWay = moved - shape.displacement(amplitudeRows, now - step);
+        const Vec3<double> way =
+            step
+                * Vec3<double>{double(velocity[node]), double(velocity[nodeStride + node]),
+                               double(velocity[2 * nodeStride + node])}
+            - surfaceWay;
+        const Work k = law.stiffness(i, Work(0));
+        std::int64_t fixed[3] = {0, 0, 0};
+        if (near && at.gap < 0)
+            press(i, at, x, way, k, fixed);
+        else
+            law.open(i, k, Work(dot(way, at.normal)));
+        share(i, near, k, fixed);
+        if (shape.moves) work[i] += 0.5 * dot(before + lastForce(i), surfaceWay);
+    }
+
+private:
+    FPM_KERNEL Vec3<double> lastForce(Index i) const
+    {
+        return {force[i], force[contactorCount + i], force[2 * contactorCount + i]};
+    }
+
+    FPM_KERNEL void press(Index i,
+                          const SurfacePoint& at,
+                          const Vec3<double>& x,
+                          const Vec3<double>& way,
+                          Work k,
+                          std::int64_t (&fixed)[3]) const
+    {
+        const double step = clock->step;
+        const Work gap = Work(at.gap > -deepest ? at.gap : -deepest);
+        const Work pressed =
+            law.normalForce(i, k, gap, law.damps() ? law.contactorMass[i] : Work(0),
+                            Work(dot(way, at.normal)), step);
+        const Vec3<Work> normal = toWork(at.normal);
+        Vec3<Work> total = pressed * normal, held{0, 0, 0};
+        if (law.friction.acts()) {
+            held = law.storedVector(i);
+            if (!law.friction.paper) {
+                const SurfacePoint last = shape.at(x - way);
+                if (last.opposite) held = turnedPlane(held, toWork(last.normal), normal);
+            }
+            held = law.slide(i, held, toWork(inPlane(way, at.normal)), k, pressed, step);
+            total += held;
+        }
+        law.spring[i] = law.energy(k, gap, held);
+        fixed[0] = scale.force(double(total.x));
+        fixed[1] = scale.force(double(total.y));
+        fixed[2] = scale.force(double(total.z));
+    }
+
+    FPM_KERNEL void share(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
+    {
+        std::int64_t* to = sum + 4 * std::size_t(contactorNumber[i]);
+        for (int c = 0; c < 3; ++c) {
+            if (fixed[c] != 0) atomicAdd64(to + c, fixed[c]);
+            force[c * contactorCount + i] = scale.toForce(fixed[c]);
+        }
+        if (near) atomicAdd64(to + 3, scale.spring(double(Work(2) * law.limitFactor * k)));
+    }
+    FPM_KERNEL static Vec3<Work> toWork(const Vec3<double>& v)
+    {
+        return {Work(v.x), Work(v.y), Work(v.z)};
+    }
+};
+
+} // namespace fpm

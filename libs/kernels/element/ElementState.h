@@ -1,0 +1,34 @@
+#pragma once
+
+#include "parallel/Vec3.h"
+
+namespace fpm {
+
+/// Where an element stands: its state before the step, and after updateHexahedron.
+template <class T>
+struct ElementState {
+    Sym3<T> stress;            ///< Cauchy, global axes
+    T equivalentPlasticStrain; ///< negative: the element is deleted (Deletion.h)
+    Vec3<T> hourglass[4];      ///< generalised forces Q
+    Sym3<T> backstress;        ///< deviator; only parts with kinematic hardening
+    T temperatureRise;         ///< since the start; only parts that heat
+};
+
+/// What one step of an element adds to the ledger, and the step it could take next.
+template <class T>
+struct ElementStep {
+    T internal, hourglass, bulkViscosity; ///< work done in this step
+    T plastic; ///< dissipated by flow: part of internal and, where the section yields, of hourglass
+    T plasticStrainIncrement;
+    T stableTimeStep;       ///< Flanagan-Belytschko with bulk viscosity; <= 0 or NaN: inverted
+    T temperatureIncrement; ///< only GeneralPlasticity
+    T deletes;              ///< 1: this step deletes the element, 0: not; only GeneralPlasticity
+};
+
+/// Work in a step of the forces at its start.
+template <class T>
+struct ElementWork {
+    T internal, hourglass;
+};
+
+} // namespace fpm

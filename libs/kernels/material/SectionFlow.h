@@ -1,0 +1,75 @@
+#pragma once
+
+#include "kernels/material/Elastic.h"
+
+namespace fpm {
+
+/// What is left of the trial forces of a section that stretches and bends at once.
+template <class T>
+struct SectionFlow {
+    T bendingKept; ///< share of the trial bending
+    T bendingWork; ///< plastic work of the bending per volume
+};
+
+/// Mises stress that measures stretch and bending on the limit surface of a solid section: the
+/// yield stress on (stretch / yield)^2 + bending / yield = 1.
+template <class T>
+FPM_KERNEL T sectionStress(const T& stretch, const T& bending)
+{
+    using Real = ScalarOf<T>;
+    return T(Real(0.5))
+           * (bending
+              + squareRoot(fusedMultiplyAdd(bending, bending, T(Real(4)) * stretch * stretch)));
+}
+
+/// Associated flow on the limit surface n^2 + m = 1 of a solid section, n = q / sigma_y of the
+/// stress and m = q_b / sigma_y of the bending: the plastic curvature is to the plastic stretch as
+/// 1 to 2 n, so that the neutral axis lies where that of the section does, and off its edge (m = 0)
+/// no bending is left. Then layers of elements bear the plastic moment of the whole, however many.
+/// `plastic` and `s` come from the radial return, which has reduced both by the same share: it
+/// fixes sigma_y, this the point on the surface. With p the flow, n = n_tr / (1 + p) and
+/// m = m_tr - k p, k = (stiffness of the bending) / (6 mu). `bendingEnergy`: twice the elastic
+/// energy of the trial bending per volume.
+template <class T>
+FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
+                                        const T& bending,
+                                        const T& bendingEnergy,
+                                        PlasticStep<T>& plastic,
+                                        Sym3<T>& s)
+{
+    using Real = ScalarOf<T>;
+    const T zero = T(Real(0)), one = T(Real(1)), two = T(Real(2)), tiny = T(Real(1e-30));
+    const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
+    const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    const T inverseKept = one / (one - plastic.reduction);
+    const T q = inverseKept
+                * squareRoot(fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny));
+    const T yield = (one - plastic.reduction) * sectionStress<T>(q, bending);
+    const T n = q / yield, bend = bending / yield;
+    const T k = bending * bending / (T(Real(2) * m.threeMu) * bendingEnergy + tiny);
+
+    // The overstress falls with p and is convex: Newton's method comes from below. What three
+    // rounds leave of it is removed radially.
+    T p = zero;
+    for (int round = 0; round < 3; ++round) {
+        const T g = one / (one + p), stretch = n * g;
+        const T over = fusedMultiplyAdd(stretch, stretch, bend - k * p - one);
+        p += over / fusedMultiplyAdd(two * stretch * stretch, g, k + tiny);
+    }
+    const T g = one / (one + p), left = maximum(bend - k * p, zero);
+    const T fit = one / sectionStress<T>(n * g, left);
+    const auto inside = k + bend > n * k; // of the edge m = 0
+    const auto flows = plastic.reduction > zero;
+    const T stretchKept = select(flows, select(inside, g * fit, one / n), one);
+    const T bendingKept = select(flows, select(inside, left * fit / (bend + tiny), zero), one);
+
+    // Adding the difference keeps an elastic stress as it is, to the last bit.
+    s = s + (stretchKept * inverseKept - one) * deviator;
+    const T bendingWork = bendingKept * (one - bendingKept) * bendingEnergy;
+    plastic.reduction = one - stretchKept;
+    plastic.work = stretchKept * (one - stretchKept) * q * q * T(Real(1) / m.threeMu);
+    plastic.strainIncrement = (plastic.work + bendingWork) / yield;
+    return {bendingKept, bendingWork};
+}
+
+} // namespace fpm

@@ -1,0 +1,147 @@
+#pragma once
+
+#include "kernels/particle/NodePass.h"
+
+namespace fpm {
+
+/// Sums of dynamic relaxation over the nodes, in the order of RelaxationSums::blockSum.
+enum RelaxationSum {
+    relaxationWork,    ///< du . K du of the step before, K du the change of the resultant force
+    relaxationInertia, ///< du . M du
+    relaxationResidual,
+    relaxationForce, ///< squares of the resultants that are free, of all internal forces
+    relaxationKinetic,
+    relaxationSums
+};
+
+constexpr std::size_t relaxationScratch()
+{
+    return relaxationSums * nodeBlock * sizeof(double) + blockSumScratch(relaxationSums);
+}
+
+/// Dynamic relaxation (Underwood 1983), before the clock of a step: what the nodes know of the
+/// stiffness that the last step met, and how far they are from equilibrium. Contact counts like
+/// everything else that resists. Held and driven components take no part.
+template <class Precision>
+struct RelaxationNodes {
+    using Motion = typename Precision::Motion;
+
+    NodePass<Precision> pass;
+    Motion* lastForce; ///< resultant at the end of the step before, three planes
+    double* blockSum;  ///< [block][relaxationSums]
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index block) const
+    {
+        if (!pass.clock->running) return;
+        double* values = reinterpret_cast<double*>(team.scratch());
+        double* partial = values + relaxationSums * nodeBlock;
+        const Index first = block * nodeBlock;
+        const Index count = pass.nodeCount - first < nodeBlock ? pass.nodeCount - first : nodeBlock;
+        team.forEach(count, [&](Index i) { measure(std::size_t(first + i), values + i); });
+        team.barrier();
+        blockSums(team, relaxationSums, count, values, nodeBlock, partial);
+        team.barrier();
+        double* out = blockSum + std::size_t(block) * relaxationSums;
+        team.forEach(relaxationSums, [=](Index k) { out[k] = blockSumResult(partial, k); });
+        team.barrier();
+    }
+
+private:
+    FPM_KERNEL void measure(std::size_t node, double* out) const
+    {
+        const auto internal = pass.internalForce(node), contact = pass.contact(node),
+                   load = pass.load(node, pass.clock->time);
+        const double in[3] = {double(internal.x), double(internal.y), double(internal.z)};
+        const double outer[3] = {double(load.x) + double(contact.x),
+                                 double(load.y) + double(contact.y),
+                                 double(load.z) + double(contact.z)};
+        const double inverse = double(pass.inverseMass[node]), step = pass.clock->step;
+        const double mass = inverse > 0 ? 1 / inverse : 0;
+        double sums[relaxationSums] = {};
+        for (int c = 0; c < 3; ++c) {
+            const std::size_t at = c * pass.nodeStride + node;
+            sums[relaxationForce] += in[c] * in[c];
+            if (pass.imposed(node, c)) continue;
+            const double resultant = outer[c] - in[c], before = double(lastForce[at]);
+            lastForce[at] = Motion(resultant);
+            const double v = double(pass.velocity[at]), way = step * v;
+            sums[relaxationWork] += (before - resultant) * way;
+            sums[relaxationInertia] += mass * way * way;
+            sums[relaxationResidual] += resultant * resultant;
+            sums[relaxationKinetic] += 0.5 * mass * v * v;
+        }
+        for (int k = 0; k < relaxationSums; ++k) out[k * nodeBlock] = sums[k];
+    }
+};
+
+/// When a body is at rest under loads that are held.
+struct RelaxationRules {
+    double tolerance = 0; ///< of the residual force, and of the square root of the kinetic share
+    double heldFrom = 0;  ///< time from which no load or drive changes any more
+};
+
+/// The damping of the coming step, twice the frequency that the Rayleigh quotient of the last step
+/// tells, so that the slowest mode left is damped critically. The run ends when residual and
+/// kinetic energy have been small for two radians of that mode: no turning point is mistaken for
+/// rest. One team.
+struct RelaxationClock {
+    const double* blockSum;
+    Index blockCount;
+    const double* patchEnergy; ///< [patch][energies], internal first, hourglass third
+    Index patchCount, energies;
+    RelaxationRules rules;
+    StepClock* clock;
+
+    static constexpr std::size_t scratch() { return blockSumScratch(relaxationSums + 1); }
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index) const
+    {
+        double* partial = reinterpret_cast<double*>(team.scratch());
+        const double *sums = blockSum, *energy = patchEnergy;
+        const Index blocks = blockCount, patches = patchCount, width = energies;
+        team.forEach((relaxationSums + 1) * blockSumLanes, [=](Index place) {
+            const Index quantity = place / blockSumLanes, lane = place % blockSumLanes;
+            double sum = 0;
+            if (quantity < relaxationSums)
+                for (Index i = lane; i < blocks; i += blockSumLanes)
+                    sum += sums[i * relaxationSums + quantity];
+            else
+                for (Index i = lane; i < patches; i += blockSumLanes)
+                    sum += energy[i * width] + energy[i * width + 2];
+            partial[place] = sum;
+        });
+        team.barrier();
+        StepClock* out = clock;
+        const RelaxationRules how = rules;
+        team.forEach(1, [=](Index) {
+            double total[relaxationSums + 1];
+            for (int k = 0; k <= relaxationSums; ++k) total[k] = blockSumResult(partial, k);
+            relax(*out, how, total);
+        });
+        team.barrier();
+    }
+
+    /// `total`: the sums in their order, then the energy stored.
+    FPM_KERNEL static void
+    relax(StepClock& clock, const RelaxationRules& rules, const double* total)
+    {
+        if (!clock.running) return;
+        if (total[relaxationWork] > 0 && total[relaxationInertia] > 0)
+            clock.damping = 2 * ::sqrt(total[relaxationWork] / total[relaxationInertia]);
+        const double stored = total[relaxationSums];
+        clock.residual = total[relaxationForce] > 0
+                             ? ::sqrt(total[relaxationResidual] / total[relaxationForce])
+                             : 1;
+        clock.unrest = stored > 0 ? ::sqrt(total[relaxationKinetic] / stored) : 1;
+        const bool quiet = clock.time >= rules.heldFrom && clock.residual < rules.tolerance
+                           && clock.unrest < rules.tolerance;
+        clock.quiet = quiet ? clock.quiet + clock.step : 0;
+        if (!quiet || clock.quiet * clock.damping < 4) return;
+        clock.settled = 1;
+        clock.running = 0;
+    }
+};
+
+} // namespace fpm

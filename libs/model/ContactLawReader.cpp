@@ -1,0 +1,112 @@
+#include "model/ContactLawReader.h"
+
+#include "base/Format.h"
+#include "model/BoundaryReader.h"
+#include "model/PointAlgebra.h"
+
+namespace fpm {
+
+namespace {
+
+void readFriction(const Dictionary& entry, ContactLaw& law)
+{
+    law.friction = entry.number("static", nonNegative());
+    law.paperFriction = entry.choiceOr("form", "objective", {"objective", "paper"}) == "paper";
+    const bool slows = entry.has("dynamic");
+    if (slows != entry.has("decay"))
+        entry.fail(slows ? "dynamic" : "decay", "'dynamic' and 'decay' are given together",
+                   "such as: friction { static 0.4; dynamic 0.3; decay 1e-3; }");
+    if (!slows) return;
+    law.dynamicFriction = entry.number("dynamic", nonNegative());
+    law.frictionDecay = entry.number("decay", positive());
+    if (law.dynamicFriction > law.friction)
+        entry.fail(
+            "dynamic",
+            format("dynamic friction {} is above the static {}", law.dynamicFriction, law.friction),
+            "a body that slides is held less than one that sticks");
+}
+
+Point direction(const Dictionary& entry, const std::string& key)
+{
+    const Point v = entry.vector(key);
+    const double size = length(v);
+    if (size == 0) entry.fail(key, "the direction (0 0 0) points nowhere");
+    return along({0, 0, 0}, 1 / size, v);
+}
+
+void readCylinder(const Dictionary& entry, RigidSurface& surface)
+{
+    const auto ends = entry.rows("axis", 3);
+    if (ends.size() != 2)
+        entry.fail("axis", "a cylinder needs the two ends of its axis",
+                   "such as: axis ((0 -100 50) (0 100 50));");
+    surface.point = {ends[0][0], ends[0][1], ends[0][2]};
+    const Point axis = difference({ends[1][0], ends[1][1], ends[1][2]}, surface.point);
+    surface.length = length(axis);
+    if (surface.length == 0) entry.fail("axis", "the axis of the cylinder has no length");
+    surface.axis = along({0, 0, 0}, 1 / surface.length, axis);
+    surface.infinite = entry.switchOr("infinite", false);
+}
+
+void readMotion(const Dictionary& entry, RigidSurface& surface)
+{
+    using Motion = RigidSurface::Motion;
+    const bool moved = entry.has("displacement");
+    if (moved == entry.has("velocity"))
+        entry.fail(moved ? "velocity" : "displacement",
+                   moved ? "both 'displacement' and 'velocity' are given" : "nothing moves",
+                   "give 'displacement (x y z);' or 'velocity (x y z);', and an amplitude");
+    const std::string key = moved ? "displacement" : "velocity";
+    surface.motion = moved ? Motion::displacement : Motion::velocity;
+    surface.value = entry.vector(key);
+    surface.amplitude = readAmplitude(entry);
+    if (moved) refuseJump(entry, "displacement", key, surface.amplitude(0) * length(surface.value));
+}
+
+} // namespace
+
+ContactLaw readContactLaw(const Dictionary& pair)
+{
+    const Range scale{0, 100, true, false};
+    ContactLaw law;
+    if (pair.isDictionary("friction"))
+        readFriction(pair.sub("friction"), law);
+    else
+        law.friction = pair.numberOr("friction", 0.0, nonNegative());
+    law.normalScale = pair.numberOr("normalScale", 1.0, scale);
+    law.tangentialScale = pair.numberOr("tangentialScale", 0.1, scale);
+    const std::string penalty =
+        pair.choiceOr("penalty", "target", {"target", "min", "series", "mass"});
+    law.penalty = penalty == "min"      ? PenaltyRule::lesser
+                  : penalty == "series" ? PenaltyRule::series
+                  : penalty == "mass"   ? PenaltyRule::mass
+                                        : PenaltyRule::target;
+    law.normalDamping = pair.numberOr("normalDamping", 0.0, between(0, 1));
+    return law;
+}
+
+RigidSurface readRigidSurface(const Dictionary& entry, const std::string& name)
+{
+    using Kind = RigidSurface::Kind;
+    RigidSurface surface;
+    surface.name = name;
+    const std::string type = entry.choice("type", {"plane", "cylinder", "sphere"});
+    surface.kind = type == "plane"      ? Kind::plane
+                   : type == "cylinder" ? Kind::cylinder
+                                        : Kind::sphere;
+    if (surface.kind == Kind::plane) {
+        surface.point = entry.vector("point");
+        surface.axis = direction(entry, "normal");
+    } else {
+        if (surface.kind == Kind::cylinder)
+            readCylinder(entry, surface);
+        else
+            surface.point = entry.vector("centre");
+        surface.radius = entry.number("radius", positive());
+        surface.inside = entry.choiceOr("side", "outside", {"outside", "inside"}) == "inside";
+    }
+    if (entry.has("motion")) readMotion(entry.sub("motion"), surface);
+    return surface;
+}
+
+} // namespace fpm

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/Log.h"
+#include "mesh/Mesh.h"
+#include "model/RigidSurface.h"
+
+namespace fpm {
+
+/// How the contactor lies to an analytic surface before the run.
+struct SurfaceFit {
+    std::size_t facingNodes = 0; ///< nodes of sides that look at the surface, outside it
+    double smallestGap = 0, meanGap = 0;
+    std::size_t overlaps = 0; ///< nodes inside the surface
+    double deepest = 0;
+    Index deepestNode = -1;
+};
+SurfaceFit measureSurfaceContact(const Mesh& mesh,
+                                 const ContactSurfaces& surfaces,
+                                 const RigidSurface& surface);
+
+/// Prints the fit; overlaps, and a contactor that does not face the surface, are warnings.
+void reportSurfaceContact(const Mesh& mesh,
+                          const ContactSurfaces& surfaces,
+                          const RigidSurface& surface,
+                          Log& log);
+
+} // namespace fpm

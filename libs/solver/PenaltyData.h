@@ -1,0 +1,36 @@
+#pragma once
+
+#include "solver/SolverData.h"
+
+namespace fpm {
+
+/// Stiffnesses and masses of a pair whose contactor and faces are known. A rigid side has stiffness
+/// 0, so that the other side's counts; `own`: sides of the contactor's surface.
+void addPenalty(PairData& out,
+                const SolverData& data,
+                const Model& model,
+                const ContactPair& pair,
+                const std::vector<ElementSide>& own);
+
+/// Largest stiffness a spring of the pair can have.
+double largestStiffness(const PairData& pair);
+
+/// Share of a damped spring in the step bound: lagged damping zeta shortens the stable step to
+/// (sqrt(1 + zeta^2) - zeta) 2 / omega.
+double dampingLimit(const ContactLaw& law);
+
+/// The surface as the kernel has it; rows of its amplitude are appended to `amplitudeRows`.
+/// Its motion alone.
+Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplitudeRows);
+SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows);
+
+/// False where every component of the node's motion is held or driven: no spring can disturb it.
+bool movesFreely(const SolverData& data, std::size_t node);
+
+/// A pair against an analytic surface.
+PairData makeSurfacePair(const SolverData& data,
+                         const Model& model,
+                         const ContactPair& pair,
+                         const std::vector<ElementSide>& own);
+
+} // namespace fpm

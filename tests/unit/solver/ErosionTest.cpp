@@ -1,0 +1,190 @@
+#include "solver/Erosion.h"
+
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+Index elementAt(const Mesh& mesh, Point place)
+{
+    Index nearest = -1;
+    double best = 1e300;
+    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+        double square = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            double centre = 0;
+            for (const Index node : mesh.hexahedra[e])
+                centre += mesh.points[std::size_t(node)][c] / 8;
+            square += (centre - place[c]) * (centre - place[c]);
+        }
+        if (square < best) {
+            best = square;
+            nearest = Index(e);
+        }
+    }
+    return nearest;
+}
+
+Model layers(double speed, double limit)
+{
+    // A stiff stamp through a soft plate of two elements onto a base.
+    Model model;
+    addBox(model.mesh, "base", {6, 6, 2}, {-3, -3, -3.1}, {6, 6, 2});
+    addBox(model.mesh, "plate", {6, 6, 2}, {-3, -3, -1}, {6, 6, 1});
+    addBox(model.mesh, "stamp", {3, 3, 4}, {-0.9, -0.9, 0.01}, {1.8, 1.8, 4});
+    renumber(model.mesh, 32);
+    Part soft = aluminium(PartKind::elastoplastic, HourglassForm::stiffness, "plate");
+    soft.erosion.plasticStrain = limit;
+    soft.erosion.inverted = true;
+    Part stiff = aluminium(PartKind::elastic, HourglassForm::stiffness, "stamp");
+    stiff.youngsModulus = 210000;
+    stiff.density = 7.85e-9;
+    model.parts = {aluminium(PartKind::elastic, HourglassForm::stiffness, "base"), soft, stiff};
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) {
+                  return p[2] < -3.09 || (p[2] < 0.001 && std::abs(p[0]) > 2.99 && p[2] > -1.01);
+              }));
+    model.initialVelocities.push_back({"fall", nodesOfPart(model.mesh, "stamp"), {0, 0, -speed}});
+    addContact(model, "stampPlate", facing(model.mesh, "stamp", {0, 0, -1}),
+               facing(model.mesh, "plate", {0, 0, 1}));
+    addContact(model, "stampBase", facing(model.mesh, "stamp", {0, 0, -1}),
+               facing(model.mesh, "base", {0, 0, 1}));
+    model.control.backend = "serial";
+    model.control.endTime = 1;
+    return model;
+}
+
+} // namespace
+
+TEST(ErosionSurfaces, WhatADeletedElementCoveredJoinsTheSurface)
+{
+    Model model = layers(1e5, 0.1);
+    const Mesh& mesh = model.mesh;
+    const Erosion erosion(model);
+    std::vector<bool> deleted(mesh.hexahedra.size(), false);
+    const std::vector<ElementSide> top = facing(mesh, "plate", {0, 0, 1});
+    EXPECT_EQ(erosion.renewedSides(top, deleted), top);
+
+    // One element of the upper row: its side leaves, four walls and a floor join.
+    const Index upper = elementAt(mesh, {-0.5, -0.5, -0.25}),
+                lower = elementAt(mesh, {-0.5, -0.5, -0.75});
+    deleted[std::size_t(upper)] = true;
+    std::vector<ElementSide> sides = erosion.renewedSides(top, deleted);
+    EXPECT_EQ(sides.size(), top.size() - 1 + 5);
+    const auto holds = [&](Index element, Point direction) {
+        return std::ranges::any_of(sides, [&](const ElementSide& side) {
+            const Point n = normal(mesh, side);
+            return side.element == element
+                   && n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2] > 0.9;
+        });
+    };
+    EXPECT_TRUE(holds(lower, {0, 0, 1}));
+    EXPECT_TRUE(holds(elementAt(mesh, {0.5, -0.5, -0.25}), {-1, 0, 0}));
+
+    // The one below as well: the hole goes through, eight walls.
+    deleted[std::size_t(lower)] = true;
+    sides = erosion.renewedSides(top, deleted);
+    EXPECT_EQ(sides.size(), top.size() - 1 + 8);
+    EXPECT_FALSE(holds(lower, {0, 0, 1}));
+
+    // An element of the lower row alone does not touch the top.
+    deleted[std::size_t(upper)] = false;
+    EXPECT_EQ(erosion.renewedSides(top, deleted), top);
+}
+
+TEST(ErosionSurfaces, OnlyWhatChangedIsTakenAnew)
+{
+    Model model = layers(1e5, 0.1);
+    SolverData data = makeSolverData(model);
+    Erosion erosion(model);
+    std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
+    EXPECT_FALSE(erosion.renewContact(data, deleted));
+    const PairData before = data.pairs[0];
+    deleted[std::size_t(elementAt(model.mesh, {-0.5, -0.5, -0.25}))] = true;
+    EXPECT_TRUE(erosion.renewContact(data, deleted));
+    EXPECT_FALSE(erosion.renewContact(data, deleted));
+    const PairRenewal renewal = compared(before, data.pairs[0]);
+    EXPECT_EQ(data.pairs[0].faceThickness.size(), before.faceThickness.size() + 4);
+    EXPECT_EQ(std::ranges::count(renewal.face, -1), 1);
+    for (std::size_t i = 0; i < renewal.contactor.size(); ++i)
+        EXPECT_EQ(renewal.contactor[i], Index(i));
+    // A surface of which nothing is left has no contactors.
+    for (Index e = 0; e < data.elementCount; ++e)
+        if (model.mesh.partOf(e) == model.mesh.findPart("plate")) deleted[std::size_t(e)] = true;
+    EXPECT_TRUE(erosion.renewContact(data, deleted));
+    EXPECT_TRUE(data.pairs[0].contactor.empty());
+    EXPECT_FALSE(data.pairs[1].contactor.empty());
+}
+
+// The stamp goes through the plate, whose elements disappear one after the other, and lands on the
+// base: momentum and energy are kept, and contact goes on with what is left.
+TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
+{
+    const Model model = layers(4e5, 0.3);
+    const auto solver = startedSolver(model);
+    const std::size_t faces = solver->data().pairs[0].faceThickness.size();
+    double worst = 0, early = 0, late = 0, base = 0;
+    const std::vector<Index> stamp = nodesOfPart(model.mesh, "stamp");
+    const double start = momentum(*solver, stamp)[2];
+    for (int call = 0; call < 200 && !solver->clock().failed; ++call) {
+        solver->advance(2.5e-5, 10);
+        worst = std::max(worst, std::abs(solver->energies().balance));
+        const double force = solver->pairForce(0).force[2];
+        if (solver->clock().deletions == 0)
+            early = std::max(early, force);
+        else
+            late = std::max(late, force);
+        base = std::max(base, solver->pairForce(1).force[2]);
+    }
+    ASSERT_FALSE(solver->clock().failed);
+    EXPECT_GT(solver->clock().deletions, 0);
+    EXPECT_GT(early, 0);
+    EXPECT_GT(late, 0.1 * early); // contact with the plate goes on after the first deletion
+    EXPECT_GT(base, 0);
+    EXPECT_NE(solver->data().pairs[0].faceThickness.size(), faces);
+    EXPECT_GT(momentum(*solver, stamp)[2], start);
+    EXPECT_LT(worst, 0.01);
+    const ElementValues values = solver->elementValues();
+    double eroded = 0;
+    int rows[2] = {0, 0};
+    for (std::size_t e = 0; e < values.deleted.size(); ++e) {
+        eroded += values.eroded[e];
+        if (!values.deleted[e]) continue;
+        double height = 0;
+        for (const Index node : model.mesh.hexahedra[e])
+            height += model.mesh.points[std::size_t(node)][2] / 8;
+        ++rows[height > -0.5];
+        EXPECT_GT(values.plasticStrain[e], 0);
+        for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(values.stress[6 * e + k], 0);
+    }
+    EXPECT_GT(eroded, 0);
+    EXPECT_LT(eroded, solver->energies().internal);
+    EXPECT_GT(rows[0], 0);
+    EXPECT_GT(rows[1], 0);
+}
+
+TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
+{
+    Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
+    part.erosion.plasticStrain = 0.01;
+    Model model = boxModel({2, 1, 1}, {2, 1, 1}, part);
+    // The left cell is crushed to a tenth, the right one is left alone.
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::velocity, "crush",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] < 1e-9; }), {true, true, true},
+                  {1e4, 0, 0}));
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] > 1e-9; }));
+    const auto solver = startedSolver(model);
+    const double first = [&] {
+        solver->advance(1, 2);
+        return solver->clock().elementStep;
+    }();
+    solver->advance(9e-5, 1000000);
+    EXPECT_FALSE(solver->clock().failed);
+    EXPECT_GE(solver->clock().elementStep, first);
+    const ElementValues values = solver->elementValues();
+    EXPECT_EQ(std::ranges::count(values.deleted, true), 1);
+}
+
+} // namespace fpm::test

@@ -1,0 +1,204 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+// Mass scaling and dynamic relaxation.
+
+namespace fpm::test {
+namespace {
+
+Part bare(HourglassForm form = HourglassForm::physical)
+{
+    Part part = aluminium(PartKind::elastic, form);
+    part.linearBulkViscosity = part.quadraticBulkViscosity = 0;
+    return part;
+}
+
+TEST(MassScaling, AFactorSlowsEverythingByItsRoot)
+{
+    const auto stepOf = [](double factor) {
+        Part part = bare();
+        part.massFactor = factor;
+        const auto solver = startedSolver(boxModel({4, 2, 2}, {4, 2, 2}, part));
+        solver->advance(1, 1);
+        return solver->clock().step;
+    };
+    EXPECT_NEAR(stepOf(100) / stepOf(1), 10, 1e-9);
+}
+
+TEST(MassScaling, ATargetLiftsTheSmallElementsOnly)
+{
+    Model model = boxModel({4, 1, 1}, {4, 1, 1}, bare());
+    for (Point& p : model.mesh.points) // edges 1 1 1 0.25
+        if (p[0] == 4) p[0] = 3.25;
+    const double c = std::sqrt(70000 * 0.7 / (1.3 * 0.4) / 2.7e-9);
+    const double regular = 1 / (c * std::sqrt(3.0)), small = 1 / (c * std::sqrt(18.0));
+    model.parts[0].targetStep = regular * 0.999;
+    const auto solver = startedSolver(model);
+    const SolverData& data = solver->data();
+    EXPECT_EQ(data.scaledElements, 1u);
+    double added = 0, own = 0;
+    for (std::size_t i = 0; i < data.nodeMass.size(); ++i) {
+        added += data.nodeMass[i] - data.ownNodeMass[i];
+        own += data.ownNodeMass[i];
+    }
+    EXPECT_NEAR(own, 3.25 * 2.7e-9, 1e-20);
+    const double ratio = regular * 0.999 / small;
+    EXPECT_NEAR(added, 0.25 * 2.7e-9 * (ratio * ratio - 1), 1e-18);
+    solver->advance(1, 1);
+    EXPECT_NEAR(solver->clock().elementStep, regular * 0.999, 1e-9 * regular);
+}
+
+TEST(MassScaling, ATargetHoldsForSelectiveElementsToo)
+{
+    Part part = bare();
+    part.hexahedron = HexahedronForm::selective;
+    part.targetStep = 1e-6;
+    part.linearBulkViscosity = 0.06;
+    Model model = boxModel({3, 2, 2}, {4, 1, 1}, part);
+    model.mesh.points[5][0] += 0.2;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 1);
+    EXPECT_NEAR(solver->clock().elementStep, 1e-6, 1e-12);
+}
+
+TEST(MassScaling, TheLedgerStaysClosed)
+{
+    Part part = bare();
+    part.massFactor = 50;
+    Model model = boxModel({6, 2, 2}, {6, 2, 2}, part);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }));
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::force, "load",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] == 6; }), {true, true, true},
+                  {100, 20, -300}, {Amplitude::Kind::smooth, {{0, 0}, {1e-4, 1}}}));
+    const auto solver = startedSolver(model);
+    solver->advance(3e-4, 100000);
+    EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
+    EXPECT_GT(solver->energies().kineticShare(), 0);
+}
+
+/// Tip of a cantilever of one element across, 40 x 2 x 2 mm, under 0.4 N.
+Model cantilever()
+{
+    Model model = boxModel({20, 1, 1}, {40, 2, 2}, bare());
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }));
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::force, "load",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] == 40; }), {false, false, true},
+                  {0, 0, -0.4}));
+    return model;
+}
+
+double tipOf(const Model& model, Solver& solver, double length)
+{
+    const NodeValues values = solver.nodeValues({});
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < values.count; ++i)
+        if (model.mesh.points[i][0] == length) {
+            sum += values.at(0, i)[2] - model.mesh.points[i][2];
+            ++count;
+        }
+    return sum / count;
+}
+
+TEST(DynamicRelaxation, FindsTheDeflectionOfACantilever)
+{
+    Model model = cantilever();
+    model.control.relaxationTolerance = 1e-3;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 100000);
+    ASSERT_TRUE(solver->clock().settled);
+    const double beam =
+        -0.4 * 64000 / (3 * 70000 * (16.0 / 12)) - 0.4 * 40 / (70000 / 2.6 * 4 / 1.2);
+    EXPECT_NEAR(tipOf(model, *solver, 40), beam, 0.012 * std::abs(beam));
+    EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
+    // Critical damping of known frequency needs 1.5 periods of the first mode to come to 1e-3.
+    const double frequency = 3.516 / (40.0 * 40) * std::sqrt(70000.0 * 4 / 12 / 2.7e-9),
+                 period = 2 * std::numbers::pi / frequency;
+    EXPECT_LT(solver->clock().time, 2.5 * period);
+    EXPECT_GT(solver->energies().damping, 0);
+}
+
+TEST(DynamicRelaxation, DoesNotEndBeforeTheLoadsAreHeld)
+{
+    Model model = cantilever();
+    const double ramp = 8e-3;
+    model.boundaryConditions.back().amplitude = {Amplitude::Kind::smooth, {{0, 0}, {ramp, 1}}};
+    model.control.relaxationTolerance = 1e-3;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 100000);
+    ASSERT_TRUE(solver->clock().settled);
+    EXPECT_GT(solver->clock().time, ramp);
+    const double beam =
+        -0.4 * 64000 / (3 * 70000 * (16.0 / 12)) - 0.4 * 40 / (70000 / 2.6 * 4 / 1.2);
+    EXPECT_NEAR(tipOf(model, *solver, 40), beam, 0.012 * std::abs(beam));
+}
+
+TEST(DynamicRelaxation, DoesNotDependOnWhenTheHostLooksNorOnThreadsNorOnVectorWidth)
+{
+    Model model = cantilever();
+    model.control.relaxationTolerance = 1e-3;
+    const auto whole = startedSolver(model), parts = startedSolver(model);
+    whole->advance(1, 300);
+    for (int n = 0; n < 300; n += 7) parts->advance(1, std::min(7, 300 - n));
+    EXPECT_EQ(whole->stateChecksum(), parts->stateChecksum());
+    model.control.backend = "openmp";
+    model.control.threads = 2;
+    for (const char* simd : {"scalar", "avx2"}) {
+        model.control.simd = simd;
+        const auto other = startedSolver(model);
+        other->advance(1, 300);
+        EXPECT_EQ(whole->stateChecksum(), other->stateChecksum());
+    }
+}
+
+/// The damping acts on resultants, so contact belongs to the stiffness: a block under load comes to
+/// rest on another.
+TEST(DynamicRelaxation, PressesTwoBlocksTogether)
+{
+    Model model = twoBlocks(bare(), bare(), {0, 0, 0}, 0.3);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::force, "load",
+                  nodesWhere(model.mesh, [](Point p) { return p[2] > 5.99; }), {false, false, true},
+                  {0, 0, -300}));
+    model.control.relaxationTolerance = 1e-3;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 100000);
+    ASSERT_TRUE(solver->clock().settled);
+    EXPECT_NEAR(solver->pairForce(0).force[2], 300, 0.3);
+    EXPECT_LT(std::abs(solver->energies().balance), 5e-3);
+}
+
+// Elastica (Mattiasson 1981): P L^2 / E I = 1 bends the tip by 0.30172 L and draws it in by
+// 0.05643 L.
+TEST(DynamicRelaxation, FindsTheElastica)
+{
+    Part part = bare();
+    part.youngsModulus = 2e5;
+    part.poissonsRatio = 0;
+    Model model = boxModel({40, 1, 1}, {200, 5, 5}, part);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }));
+    const double load = 2e5 * 625 / 12 / (200.0 * 200);
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::force, "load",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] == 200; }), {false, false, true},
+                  {0, 0, -load}));
+    model.control.relaxationTolerance = 1e-3;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 400000);
+    ASSERT_TRUE(solver->clock().settled);
+    const NodeValues values = solver->nodeValues({});
+    double x = 0;
+    for (std::size_t i = 0; i < values.count; ++i)
+        if (model.mesh.points[i][0] == 200) x += values.at(0, i)[0] / 4;
+    EXPECT_NEAR(-tipOf(model, *solver, 200) / 200, 0.30172, 0.02 * 0.30172);
+    EXPECT_NEAR(1 - x / 200, 0.05643, 0.02 * 0.05643);
+}
+
+} // namespace
+} // namespace fpm::test
