@@ -35,20 +35,20 @@ def spinning(binaries, size, cells, part, omega, end, rows, watched):
     """The box with the velocity field omega x r; the nodes `watched` are recorded."""
     nodes = lattice(size, cells)
     origin = " ".join(repr(-s / 2) for s in size)
-    sets, initial, functions = [], [], []
-    for n, (place, _) in enumerate(nodes):
-        position = " ".join(repr(x) for x in place)
-        velocity = " ".join(repr(v) for v in cross(omega, place))
-        sets.append(f"n{n} {{ type point; position ({position}); }}")
-        initial.append(f"v{n} {{ type velocity; set n{n}; value ({velocity}); }}")
-        if n in watched:
-            functions.append(f"p{n} {{ type point; part body; position ({position}); "
-                             "fields (displacement velocity); }")
+    functions = []
+    for n in watched:
+        position = " ".join(repr(x) for x in nodes[n][0])
+        functions.append(f"p{n} {{ type point; part body; position ({position}); "
+                         "fields (displacement velocity); }")
+    axis = " ".join(repr(w) for w in omega)
+    spin = math.sqrt(dot(omega, omega))
     return Scene(
-        binaries, units="m", end=end, rows=rows, parts=part, sets="\n".join(sets),
+        binaries, units="m", end=end, rows=rows, parts=part,
         bodies=f"body {{ type box; origin ({origin}); size ({size[0]} {size[1]} {size[2]}); "
                f"cells ({cells[0]} {cells[1]} {cells[2]}); }}",
-        initial="\n".join(initial), functions="\n".join(functions)).all(), nodes
+        initial=f"spin {{ type rotation; part body; axis ({axis}); centre (0 0 0); "
+                f"angularVelocity {spin!r}; }}",
+        functions="\n".join(functions)).all(), nodes
 
 
 class Watched:
