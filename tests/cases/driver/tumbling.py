@@ -86,7 +86,7 @@ def cube(binaries, marks):
         length = math.sqrt(dot(first, first))
         worst = max(math.sqrt(dot(d, d)) for d in (
             plus(momentum(row), first, -1) for row in range(0, len(watched.times), 10)))
-        marks.below("A2 cube, 20 turns: |H|", worst / length, 1e-3)
+        marks.below("A2 cube, 20 turns: angular momentum", worst / length, 1e-3)
         e = case.energies()
         start = e["kinetic"][0] + e["internal"][0]
         drift = max(abs(k + i + h - start)
@@ -158,7 +158,7 @@ def brick(binaries, marks):
         found = flips(watched.times, wy)
         marks.true(f"D1 {len(found)} flips", len(found) == len(exact) == 2)
         for number, (ours, theirs) in enumerate(zip(found, exact)):
-            marks.against(f"flip {number + 1}", ours, theirs, 0.005, "s")
+            marks.against(f"D1 brick: flip {number + 1}", ours, theirs, 0.005, "s")
         e = case.energies()
         start = e["kinetic"][0]
         drift = max(abs(k + i + h - start)
