@@ -13,9 +13,14 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from driver.caseRun import Failed, Marks  # noqa: E402
 
 
-def main(name, binaries):
+def found(name):
+    """The function of a check: <module of driver>[.<function>]."""
     module, _, function = name.partition(".")
-    check = getattr(importlib.import_module(f"driver.{module}"), function or "check")
+    return getattr(importlib.import_module(f"driver.{module}"), function or "check")
+
+
+def main(name, binaries):
+    check = found(name)
     marks = Marks()
     try:
         skipped = check(binaries, marks)

@@ -122,11 +122,11 @@ def checkPatch(binaries, marks):
             u = case.probed(f"i{k}", "U")
             exact = [sum(SMALL[c][j] * place[j] for j in range(3)) - place[c] for c in range(3)]
             worst = max(worst, max(abs(u[a][-1] - e) for a, e in zip("xyz", exact)) / 2e-3)
-        marks.below("A1 corners driven: inner nodes", worst, 1e-3)
+        marks.below("A1 corners driven: displacement of the inner nodes", worst, 1e-3)
         for c, exact in zip(STRESSES, (2e-3,) * 3 + (4e-4,) * 3):
             s = case.probed(f"s{c}", "S")
             far = max(abs(s["min"][-1] / exact - 1), abs(s["max"][-1] / exact - 1))
-            marks.below(f"A1 s{c.lower()}", far, 2e-3)
+            marks.below(f"s{c.lower()}", far, 2e-3)
     # Finite: all sixteen nodes follow, 200 steps and some at rest.
     for rule, judged in (("polar", True), ("hughesWinget", True), ("midSurface", False)):
         with patchScene(binaries, PATCH_OUTER + PATCH_INNER, lambda s: between(FINITE, smooth(s)),
@@ -185,7 +185,7 @@ def checkStretchAndTurn(binaries, marks):
         turned = tensor(prescribed(binaries, part, both, steps, 1)[-1])
         r = rotation((1, 1, 1), math.pi / 2)
         expected = product(product(r, plain), transposed(r))
-        marks.below(f"A2 stretch and turn, {rule}", distance(turned, expected) / plain[0][0], 1e-6)
+        marks.below(f"A2 stretch and turn, {rule}: stress", distance(turned, expected) / plain[0][0], 1e-6)
 
 
 # A3 ---------------------------------------------------------------------------------------------

@@ -44,7 +44,9 @@ def judge(binaries, marks, core, rings, axial, programs=None):
         marks.within("radius", radius, 6.9, 7.4, " mm")
         for program, (theirLength, theirRadius) in (programs or {}).items():
             marks.against(f"length, {program}", length, theirLength, 0.01, "mm")
-            marks.against("radius", radius, theirRadius, 0.02, "mm")
+            # Coarse meshes of one-point elements end below the converged radius: at least as near.
+            marks.within(f"radius, {program} {theirRadius:.4g}", radius, 0.99 * theirRadius, RADIUS,
+                         " mm")
         marks.below("energy balance", case.worstBalance(), 0.01)
         energies = case.table("energies/0/energies.dat")
         marks.below("hourglass / internal energy",

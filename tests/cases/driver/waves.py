@@ -5,8 +5,6 @@ import math
 from driver.curves import at
 from driver.scene import Scene, elastic, plastic
 
-WALL = "wall { model rigidPrescribed; }\n"
-
 
 def impulse(times, forces, start=-math.inf, end=math.inf):
     """Trapezoids between start and end."""
@@ -36,12 +34,11 @@ def barOnWall(binaries, speed, poisson, cells, held=True, across=1):
     return Scene(
         binaries,
         bodies=f"bar {{ type box; origin ({gap} 0 0); size (200 20 20); "
-               f"cells ({cells} {across} {across}); }}\n"
-               "wall { type box; origin (-20 -10 -10); size (20 40 40); cells (1 1 1); }",
-        parts=elastic("bar", 200000, poisson, 8e-9) + WALL,
-        conditions=sides + "still { type fixed; part wall; }",
+               f"cells ({cells} {across} {across}); }}",
+        parts=elastic("bar", 200000, poisson, 8e-9), conditions=sides,
         initial=f"v {{ type velocity; part bar; value ({-speed} 0 0); }}",
-        pairs="barWall { contactor bar.xMin; target wall.xMax; normalScale 1; }",
+        surfaces="wall { type plane; point (0 0 0); normal (1 0 0); }",
+        pairs="barWall { contactor bar.xMin; target wall; normalScale 1; }",
         functions="struck { type point; part bar; position (0 10 10); fields (displacement); }\n"
                   "free { type point; part bar; position (202 10 10); fields (displacement); }",
         end=1.2e-4, rows=2400).all()
