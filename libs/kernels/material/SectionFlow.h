@@ -39,6 +39,8 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
 {
     using Real = ScalarOf<T>;
     const T zero = T(Real(0)), one = T(Real(1)), two = T(Real(2)), tiny = T(Real(1e-30));
+    const auto flows = plastic.reduction > zero;
+    if (!NumberTraits<T>::any(flows)) return {one, zero};
     const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
     const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
     const T inverseKept = one / (one - plastic.reduction);
@@ -59,15 +61,21 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
     const T g = one / (one + p), left = maximum(bend - k * p, zero);
     const T fit = one / sectionStress<T>(n * g, left);
     const auto inside = k + bend > n * k; // of the edge m = 0
-    const auto flows = plastic.reduction > zero;
-    const T stretchKept = select(flows, select(inside, g * fit, one / n), one);
+    const T stretchKept = select(inside, g * fit, one / n);
     const T bendingKept = select(flows, select(inside, left * fit / (bend + tiny), zero), one);
 
-    // Adding the difference keeps an elastic stress as it is, to the last bit.
-    s = s + (stretchKept * inverseKept - one) * deviator;
+    // An elastic stress stays as it is, to the last bit, whatever its neighbours in a batch do.
+    const T change = stretchKept * inverseKept - one;
+    s = {select(flows, s.xx + change * deviator.xx, s.xx),
+         select(flows, s.yy + change * deviator.yy, s.yy),
+         select(flows, s.zz + change * deviator.zz, s.zz),
+         select(flows, s.xy + change * deviator.xy, s.xy),
+         select(flows, s.yz + change * deviator.yz, s.yz),
+         select(flows, s.zx + change * deviator.zx, s.zx)};
     const T bendingWork = bendingKept * (one - bendingKept) * bendingEnergy;
-    plastic.reduction = one - stretchKept;
-    plastic.work = stretchKept * (one - stretchKept) * q * q * T(Real(1) / m.threeMu);
+    plastic.reduction = select(flows, one - stretchKept, zero);
+    plastic.work =
+        select(flows, stretchKept * (one - stretchKept) * q * q * T(Real(1) / m.threeMu), zero);
     plastic.strainIncrement = (plastic.work + bendingWork) / yield;
     return {bendingKept, bendingWork};
 }
