@@ -28,6 +28,7 @@ struct BoundaryCondition {
     std::string name;
     std::vector<Index> nodes; ///< ascending
     Index part = -1;          ///< the part, where the nodes are chosen by `part`
+    bool mirror = false;      ///< symmetry: the scene goes on as its own mirror image
     std::array<bool, 3> constrains{false, false, false}; ///< components held or driven
     /// Displacement, velocity, total force, traction, pressure, acceleration; in `axes`.
     Point value{0, 0, 0};

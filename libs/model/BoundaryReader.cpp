@@ -194,9 +194,10 @@ BoundaryCondition readCondition(const Dictionary& entry, const std::string& name
     }
     condition.nodes = selectNodes(entry, mesh);
     if (entry.has("part")) condition.part = mesh.findPart(entry.word("part"));
-    if (type == "symmetry")
+    if (type == "symmetry") {
         readNormal(entry, condition);
-    else if (type == "fixed")
+        condition.mirror = true;
+    } else if (type == "fixed")
         readHeld(entry, condition);
     else if (type == "rotation")
         readTurn(entry, condition);

@@ -42,7 +42,7 @@ struct PairState {
     Of<Index> frictionFace;
     Of<std::uint8_t> mayMeet, around;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
-    Of<Work> contactorStiffness, contactorMass, faceMass;
+    Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
@@ -84,6 +84,7 @@ struct PairState {
                                          : 0),
           overlap(pair.contactor.size()),
           contactorStiffness(converted<Work>(pair.contactorStiffness)),
+          contactorShare(converted<Work>(pair.contactorShare)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
           force(3 * pair.contactor.size()),
@@ -157,6 +158,7 @@ struct PairState {
                           : l.penalty == PenaltyRule::target ? PenaltySource::target
                                                              : PenaltySource::lesser,
                 .contactorStiffness = contactorStiffness.data(),
+                .contactorShare = contactorShare.data(),
                 .friction = {.staticCoefficient = Work(slow),
                              .dynamicCoefficient = Work(fast < 0 ? slow : fast),
                              .decay = l.frictionDecay,
@@ -188,7 +190,7 @@ struct PairState {
             sum += array->bytes();
         for (const Of<Work>* array :
              {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
-              &contactorStiffness, &contactorMass, &faceMass})
+              &contactorStiffness, &contactorShare, &contactorMass, &faceMass})
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})

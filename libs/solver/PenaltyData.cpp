@@ -58,6 +58,23 @@ std::vector<double> ownStiffness(const Model& model,
     return out;
 }
 
+/// A contactor on a mirror plane is half a node, one on two of them a quarter: it gets as much of
+/// the stiffness, so that half a model meets as the whole one does.
+std::vector<double> mirrorShares(const Model& model, const std::vector<Index>& contactors)
+{
+    std::vector<double> share(model.mesh.points.size(), 1);
+    bool any = false;
+    for (const BoundaryCondition& condition : model.boundaryConditions)
+        if (condition.mirror)
+            for (const Index node : condition.nodes) share[std::size_t(node)] *= 0.5;
+    std::vector<double> out;
+    for (const Index node : contactors) {
+        out.push_back(share[std::size_t(node)]);
+        any |= out.back() < 1;
+    }
+    return any ? out : std::vector<double>{};
+}
+
 } // namespace
 
 bool movesFreely(const SolverData& data, std::size_t node)
@@ -88,6 +105,7 @@ void addPenalty(PairData& out,
         for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
         return;
     }
+    out.contactorShare = mirrorShares(model, out.contactor);
     for (const ElementSide& side : target)
         out.faceStiffness.push_back(scale * penalty(model, side));
     const bool rigidFaces =

@@ -38,6 +38,7 @@ struct PairData {
     std::vector<double> faceStiffness, faceThickness, faceMass;
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
+    std::vector<double> contactorShare; ///< of the stiffness; empty: 1 everywhere
     std::vector<Index> target, targetFaceStart, targetFaces;
     std::vector<Index> excludedStart, excluded;           ///< empty: none
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body

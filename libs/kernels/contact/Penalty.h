@@ -14,6 +14,7 @@ struct PairLaw {
     Index count;
     PenaltySource source;
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
+    const Work* contactorShare;     ///< of that stiffness; null: all of it
     FrictionLaw<Work> friction;
     Work* stored;              ///< tangential force: two components in a face's frame, or a vector
     Index* storedFace;         ///< whose frame that is; null where `stored` is a vector in space
@@ -27,6 +28,11 @@ struct PairLaw {
 
     /// k_n between contactor i and a face. A rigid side has stiffness 0: the other's counts.
     FPM_KERNEL Work stiffness(Index i, Work face) const
+    {
+        const Work whole = wholeStiffness(i, face);
+        return contactorShare ? contactorShare[i] * whole : whole;
+    }
+    FPM_KERNEL Work wholeStiffness(Index i, Work face) const
     {
         if (!contactorStiffness) return face;
         const Work own = contactorStiffness[i];

@@ -1,0 +1,60 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+/// A block that strikes another one askew, in a plane x = 0 of mirror symmetry: whole, or its half
+/// x >= 0. Nodes lie on the plane on both sides of the contact.
+Model strike(bool half, int passes)
+{
+    Model model;
+    const double left = half ? 0 : 1;
+    addBox(model.mesh, "lower", {half ? 4 : 8, 5, 3}, {-4 * left, 0, -2}, {4 + 4 * left, 5, 2});
+    addBox(model.mesh, "upper", {half ? 3 : 6, 4, 3}, {-2 * left, 1, 0.01}, {2 + 2 * left, 3, 2});
+    renumber(model.mesh, 32);
+    model.parts = {aluminium(PartKind::elastic, HourglassForm::physical, "lower"),
+                   aluminium(PartKind::elastoplastic, HourglassForm::stiffness, "upper")};
+    model.initialVelocities.push_back({"fall", nodesOfPart(model.mesh, "upper"), {0, 2e4, -3e4}});
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -1.99; }));
+    if (half) {
+        model.boundaryConditions.push_back(condition(
+            BoundaryCondition::Kind::fixed, "mirror",
+            nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }), {true, false, false}));
+        model.boundaryConditions.back().mirror = true;
+    }
+    ContactPair& pair = addContact(model, "touch", facing(model.mesh, "upper", {0, 0, -1}),
+                                   facing(model.mesh, "lower", {0, 0, 1}));
+    pair.friction = 0.3;
+    pair.passes = passes;
+    model.control.backend = "serial";
+    model.control.endTime = 1;
+    return model;
+}
+
+/// Not to rounding: in the whole model a node of the plane rests on one of the two faces that meet
+/// there, whose normal leans by their bend.
+TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
+{
+    for (const int passes : {1, 2}) {
+        const auto whole = startedSolver(strike(false, passes)),
+                   half = startedSolver(strike(true, passes));
+        double most = 0, apart = 0; // a whole spring on half a node: 0.16
+        for (int look = 0; look < 20; ++look) {
+            whole->advance(1, 10);
+            half->advance(1, 10);
+            ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-7 * whole->clock().time);
+            const Point a = whole->pairForce(0).force, b = half->pairForce(0).force;
+            most = std::max(most, std::abs(a[2]));
+            for (const std::size_t c : {1U, 2U}) apart = std::max(apart, std::abs(2 * b[c] - a[c]));
+        }
+        EXPECT_GT(most, 1e3) << passes << " passes";
+        EXPECT_LT(apart, 1e-6 * most) << passes << " passes";
+        EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
+                    1e-6 * whole->energies().friction);
+    }
+}
+
+} // namespace
+} // namespace fpm::test
