@@ -72,7 +72,7 @@ class Result:
 
 def judge(result, marks):
     forces = " ".join(f"{result.force(travel):.0f}" for travel in (5, 10, 15, 20, 25, 29))
-    marks.note(f"force at 5 10 15 20 25 29 mm {forces} N")
+    marks.figure("H1 force at 5 10 15 20 25 29 mm of travel", f"{forces} N")
     marks.below("force outside of the band", result.outside, 0.05)
     marks.within("side u_y", result.side, SIDE * 0.98, SIDE * 1.02, " mm")
     marks.within("end u_x", result.endX, END_X - 0.25, END_X + 0.25, " mm")

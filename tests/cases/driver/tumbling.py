@@ -166,6 +166,28 @@ def brick(binaries, marks):
         marks.below("energy", drift / start, 1e-3)
 
 
+def rigidBrick(binaries, marks):
+    """The same brick as a rigidFree part, with the inertia of the continuous body."""
+    with Scene(binaries, units="m", end=1.0, rows=4000,
+               bodies="body { type box; origin (-0.15 -0.1 -0.05); size (0.3 0.2 0.1); "
+                      "cells (2 2 2); }",
+               parts="body { model rigidFree; density 7850; }",
+               initial="spin { type rotation; part body; axis (0.1 100 0.1); centre (0 0 0); "
+                       f"angularVelocity {math.sqrt(100**2 + 0.02)!r}; }}",
+               control="timeStep { fixed 1e-5; }",
+               functions="spin { type rigidBody; part body; }") as case:
+        case.all()
+        body = case.table("spin/0/rigidBody.dat")
+        found = flips(body["time"], body["bodyWy"])
+        marks.true(f"D1 rigid brick, {len(found)} flips", len(found) == 3)
+        for ours, theirs in zip(found, (0.19860, 0.54999, 0.90138)):
+            marks.against("D1 rigid brick: flip", ours, theirs, 0.005, "s")
+        marks.against("largest omega_x", max(abs(w) for w in body["bodyWx"]), 86.603, 0.001, "1/s")
+        e = case.energies()
+        marks.against("kinetic energy", e["kinetic"][0], 1962.5035, 1e-3, "J")
+        marks.below("its drift", max(abs(k / e["kinetic"][0] - 1) for k in e["kinetic"]), 1e-3)
+
+
 def flips(times, values):
     found = []
     for i in range(1, len(times)):
@@ -178,3 +200,4 @@ def flips(times, values):
 def check(binaries, marks):
     cube(binaries, marks)
     brick(binaries, marks)
+    rigidBrick(binaries, marks)
