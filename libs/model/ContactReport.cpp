@@ -7,6 +7,8 @@
 #include "model/PointAlgebra.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -53,6 +55,53 @@ std::size_t sharedCount(const std::vector<Value>& a, const std::vector<Value>& b
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
     return shared.size();
 }
+
+/// Nodes in cells, to find those within a small distance of one another.
+class Neighbourhood
+{
+public:
+    Neighbourhood(const std::vector<Point>& points,
+                  const std::vector<Index>& nodes,
+                  double distance)
+        : points_(points),
+          distance_(distance)
+    {
+        for (const Index node : nodes)
+            cells_[cell(points[std::size_t(node)], {0, 0, 0})].push_back(node);
+    }
+
+    /// Nodes within the distance of a node, but for itself.
+    std::set<Index> around(Index node) const
+    {
+        const Point& p = points_[std::size_t(node)];
+        std::set<Index> found;
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto shift = [&](int axis) { return (corner >> axis) & 1 ? 1.0 : -1.0; };
+            const auto here = cells_.find(cell(p, {shift(0), shift(1), shift(2)}));
+            if (here == cells_.end()) continue;
+            for (const Index other : here->second)
+                if (other != node
+                    && length(difference(points_[std::size_t(other)], p)) <= distance_)
+                    found.insert(other);
+        }
+        return found;
+    }
+
+private:
+    using Cell = std::array<std::int64_t, 3>;
+    /// Cells are wide against the distance, so that a ball touches few of them.
+    Cell cell(const Point& p, const Point& shift) const
+    {
+        Cell out{};
+        for (std::size_t c = 0; c < 3; ++c)
+            out[c] = std::int64_t(std::floor((p[c] + shift[c] * distance_) / (64 * distance_)));
+        return out;
+    }
+
+    const std::vector<Point>& points_;
+    double distance_;
+    std::map<Cell, std::vector<Index>> cells_;
+};
 
 } // namespace
 
@@ -162,17 +211,11 @@ void reportSeams(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log)
         for (const Index node : quad) together[node].insert(quad.begin(), quad.end());
     }
     const double close = 1e-6 * std::sqrt(areas / double(surfaces.targetSides.size()));
-    std::vector<Index> nodes = nodesOf(mesh, surfaces.targetSides);
-    const auto x = [&](Index node) { return mesh.points[std::size_t(node)][0]; };
-    std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) { return x(a) < x(b); });
+    const Neighbourhood near(mesh.points, nodesOf(mesh, surfaces.targetSides), close);
     std::set<Index> doubled;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        for (std::size_t j = i + 1; j < nodes.size() && x(nodes[j]) - x(nodes[i]) <= close; ++j)
-            if (length(difference(mesh.points[std::size_t(nodes[i])],
-                                  mesh.points[std::size_t(nodes[j])]))
-                    <= close
-                && !together[nodes[i]].count(nodes[j]))
-                doubled.insert({nodes[i], nodes[j]});
+    for (const auto& [node, faces] : together)
+        for (const Index other : near.around(node))
+            if (!faces.count(other)) doubled.insert({node, other});
     if (doubled.empty()) return;
     log.warning(format("pair {}: {} target nodes lie on one another without being one, first node "
                        "{} at {}: the target has a seam there, contactors may slip through when "

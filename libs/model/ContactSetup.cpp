@@ -198,7 +198,9 @@ setGeneral(const Mesh& mesh, const PairEntry& entry, const std::vector<bool>& ri
     surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
     log.line(format("general contact: {} nodes, {} faces of {} parts",
                     surfaces.contactorNodes.size(), surfaces.targetSides.size(), bodies.size()));
-    reportSeams(mesh, surfaces, log);
+    for (std::size_t a = 0; a < bodies.size(); ++a) // nodes of two bodies may meet, of one not
+        reportSeams(mesh, {entry.name + ", part " + mesh.parts[a].name, {}, {}, bodies[a].sides},
+                    log);
     for (std::size_t a = 0; a < bodies.size(); ++a)
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             if (a == b || !bodies[a].meets(bodies[b]) || (rigid[a] && rigid[b])) continue;

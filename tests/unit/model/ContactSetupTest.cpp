@@ -264,6 +264,16 @@ TEST(ContactSetup, WarnsOfSeamsInTheTarget)
                          "pair press: 10 target nodes lie on one another without being one"));
 }
 
+TEST(ContactSetup, BodiesThatTouchNodeOnNodeAreNoSeam)
+{
+    Workshop shop(test::boxMesh(
+        {{"lower", {0, 0, 0}, {2, 2, 1}, {2, 2, 1}}, {"upper", {0, 0, 1}, {2, 2, 1}, {2, 2, 1}}}));
+
+    shop.run("general;");
+
+    EXPECT_FALSE(contains(shop.folder.logText(), "lie on one another"));
+}
+
 TEST(ContactSetup, WarnsOfPairsThatActTwice)
 {
     Workshop shop(blocks(0.1));
