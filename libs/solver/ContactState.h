@@ -42,7 +42,7 @@ struct PairState {
     Of<Index> frictionFace;
     Of<std::uint8_t> mayMeet, around;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
-    Of<Work> contactorStiffness, contactorMass, faceMass;
+    Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
@@ -86,6 +86,7 @@ struct PairState {
           contactorStiffness(converted<Work>(pair.contactorStiffness)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
+          heldStiffness(pair.unequalFaces ? pair.contactor.size() : 0),
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
           dissipated(pair.contactor.size()),
@@ -139,6 +140,7 @@ struct PairState {
         v.force = force.data();
         v.counts = counts.data();
         v.overlap = overlap.data();
+        v.heldStiffness = heldStiffness.data();
         v.injected = injected.data();
         v.fadeTime = pair.fadeTime;
         v.reach = Work(pair.reach);
@@ -188,7 +190,7 @@ struct PairState {
             sum += array->bytes();
         for (const Of<Work>* array :
              {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
-              &contactorStiffness, &contactorMass, &faceMass})
+              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
