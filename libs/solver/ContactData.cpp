@@ -100,6 +100,13 @@ void addExclusions(PairData& out, const Model& model, const std::vector<ElementS
     }
 }
 
+bool differ(const std::vector<double>& stiffness)
+{
+    if (stiffness.empty()) return false;
+    const auto [least, most] = std::minmax_element(stiffness.begin(), stiffness.end());
+    return *most > (1 + 1e-9) * *least;
+}
+
 /// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
 PairData makePass(const SolverData& data,
                   const Model& model,
@@ -136,6 +143,7 @@ PairData makePass(const SolverData& data,
     if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
     addComponents(out, model, pair, own, target);
     addPenalty(out, data, model, pair, own, target, share);
+    out.unequalFaces = differ(out.faceStiffness);
     return out;
 }
 

@@ -42,7 +42,11 @@ struct PairState {
     Of<Index> frictionFace;
     Of<std::uint8_t> mayMeet, around;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
+<<<<<<< HEAD
     Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass;
+=======
+    Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
+>>>>>>> scenes
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
@@ -87,6 +91,7 @@ struct PairState {
           contactorShare(converted<Work>(pair.contactorShare)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
+          heldStiffness(pair.unequalFaces ? pair.contactor.size() : 0),
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
           dissipated(pair.contactor.size()),
@@ -140,6 +145,7 @@ struct PairState {
         v.force = force.data();
         v.counts = counts.data();
         v.overlap = overlap.data();
+        v.heldStiffness = heldStiffness.data();
         v.injected = injected.data();
         v.fadeTime = pair.fadeTime;
         v.reach = Work(pair.reach);
@@ -190,7 +196,11 @@ struct PairState {
             sum += array->bytes();
         for (const Of<Work>* array :
              {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
+<<<<<<< HEAD
               &contactorStiffness, &contactorShare, &contactorMass, &faceMass})
+=======
+              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
+>>>>>>> scenes
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})

@@ -74,6 +74,7 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const Pa
     carry(old.overlap, renewed.overlap, touching, oldCount);
     carry(old.force, renewed.force, touching, oldCount);
     carry(old.spring, renewed.spring, touching, oldCount);
+    carry(old.heldStiffness, renewed.heldStiffness, touching, oldCount);
     carry(old.friction, renewed.friction, touching, oldCount);
     carry(old.dampingForce, renewed.dampingForce, touching, oldCount);
     carry(old.frictionFace, renewed.frictionFace, touching, oldCount);

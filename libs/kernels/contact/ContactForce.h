@@ -28,7 +28,7 @@ struct ContactForce {
         pair.xi[i] = now.xi;
         pair.eta[i] = now.eta;
         Projection<Work>& at = now.at;
-        const Work stiffness = pair.law.stiffness(i, pair.faceStiffness[face]);
+        const Work stiffness = stiffnessOf(i, face);
         const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
         if (now.beyond || !(at.gap < pair.reach)) {
             if (now.beyond && at.gap < 0) {
@@ -54,6 +54,7 @@ struct ContactForce {
             if (pair.law.friction.acts())
                 force += tangential(i, face, origin, at, stiffness, pressed, held);
             pair.law.spring[i] = pair.law.energy(stiffness, at.gap, held);
+            if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
         share(i, face, at, force, stiffness);
@@ -66,6 +67,14 @@ private:
         Work xi, eta;
     };
 
+    /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
+    /// force has a potential also where the contactor comes to faces of other stiffness.
+    FPM_KERNEL Work stiffnessOf(Index i, Index face) const
+    {
+        if (pair.heldStiffness && pair.law.spring[i] > 0 && pair.heldStiffness[i] > 0)
+            return pair.heldStiffness[i];
+        return pair.law.stiffness(i, pair.faceStiffness[face]);
+    }
     /// No touch: no force.
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
     {

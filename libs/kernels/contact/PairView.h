@@ -78,6 +78,7 @@ struct PairView {
     double* force;        ///< on the contactor, this step
     std::int64_t* counts; ///< as PairCount
     Work* overlap;        ///< depth at which it was found, that makes no force
+    Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
     double* injected;     ///< work of overlaps that fade with time; null: they do not
     double fadeTime;      ///< > 0: over which they do
 

@@ -57,6 +57,29 @@ double cubeDistance(const Point& p)
     return deepest > 0 ? std::sqrt(square) : deepest;
 }
 
+/// Of points whose signed distance is known, how many a search gives no face or one where the gap
+/// is another.
+Index lost(ContactSearch search,
+           const Grid& faces,
+           const std::vector<Point>& queries,
+           const std::function<double(const Point&)>& distance,
+           double thickness = 0.25)
+{
+    SearchScene scene(faces.points, faces.faces, queries, search, thickness);
+    scene.search();
+    Index count = 0;
+    for (Index query = 0; query < scene.queries(); ++query) {
+        if (scene.faceOf(query) < 0) {
+            ++count;
+            continue;
+        }
+        const Tracked<double> now = scene.follow(query);
+        const double exact = distance(queries[std::size_t(query)]);
+        count += now.beyond || std::abs(now.at.gap - exact) > 1e-6;
+    }
+    return count;
+}
+
 TEST(SignedGap, OfACubeIsTheDistanceAtFacesEdgesAndCorners)
 {
     // F4: nothing falls into a dead zone at a convex edge. Outside and inside, up to half a face.
@@ -92,6 +115,8 @@ TEST(SignedGap, OfACubeIsTheDistanceAtFacesEdgesAndCorners)
                  && std::abs(now.at.normal.y) < 0.99 && std::abs(now.at.normal.z) < 0.99;
     }
     EXPECT_GT(edges, 100);
+    // The paper's search finds them too: squares, and the closest point is the toolkit's.
+    EXPECT_EQ(lost(ContactSearch::closestParticle, faces, queries, cubeDistance), 0);
 }
 
 TEST(SignedGap, BehindAConcaveCornerIsTheResultantOfItsWalls)
@@ -117,6 +142,8 @@ TEST(SignedGap, BehindAConcaveCornerIsTheResultantOfItsWalls)
             EXPECT_NEAR(now.at.normal.z, p[2] < 0 ? p[2] / distance : 0, 1e-6);
         }
     }
+    const auto outside = [](const Point& p) { return -cubeDistance(p); };
+    EXPECT_EQ(lost(ContactSearch::closestParticle, faces, queries, outside), 0);
 }
 
 TEST(SignedGap, OnBordersAndCornersOfFacesRoundingDecidesNothing)
@@ -138,7 +165,46 @@ TEST(SignedGap, OnBordersAndCornersOfFacesRoundingDecidesNothing)
                 EXPECT_NEAR(now.at.gap, depth, 1e-12);
                 EXPECT_NEAR(now.at.normal.z, 1, 1e-12);
             }
+            EXPECT_EQ(lost(ContactSearch::closestParticle, faces, queries,
+                           [&](const Point&) { return depth; }),
+                      0);
         }
+}
+
+/// Two sheets beside one another, a gap of `crack` between their rims along x = 0.5.
+Grid seam(double crack)
+{
+    Grid both;
+    for (const double from : {0.0, 0.5}) {
+        const Grid half = grid(2, 4, [&](double x, double y) {
+            return Point{from + 0.5 * x + (from > 0 ? crack : 0), y, 0};
+        });
+        const Index first = Index(both.points.size());
+        both.points.insert(both.points.end(), half.points.begin(), half.points.end());
+        for (std::array<Index, 4> face : half.faces) {
+            for (Index& node : face) node += first;
+            both.faces.push_back(face);
+        }
+    }
+    return both;
+}
+
+TEST(SignedGap, NoNodeFallsThroughASeamOfNodesThatAreNotShared)
+{
+    // F23: the rims touch, are apart by rounding, or by a crack no wider than the margin.
+    std::mt19937 random(64);
+    std::vector<Point> queries;
+    for (int i = 0; i < 400; ++i)
+        queries.push_back({0.5 + 0.2 * uniform(random, -1, 1) * (i % 2), uniform(random, 0, 1),
+                           -uniform(random, 0.001, 0.02)});
+    for (const double crack : {0.0, 1e-16, -1e-16, 1e-12, 0.001}) {
+        const auto depth = [](const Point& p) { return p[2]; };
+        EXPECT_EQ(lost(ContactSearch::faces, seam(crack), queries, depth), 0) << crack;
+    }
+    // The paper's search takes one of two particles in the same place, and its sheet alone.
+    EXPECT_GT(
+        lost(ContactSearch::closestParticle, seam(0), queries, [](const Point& p) { return p[2]; }),
+        40);
 }
 
 TEST(SignedGap, EndsAtFreeEdges)

@@ -61,6 +61,44 @@ TEST(Sliding, ForceOverFaceBordersOfAFlatTargetIsConstant)
     }
 }
 
+/// The track with cells that grow along it by a tenth each, all faces of other stiffness.
+Model gradedSlider(double friction)
+{
+    Model model = slider(flat, 0.3, -0.01, {1e6, 0, 0});
+    for (const Index node : nodesOfPart(model.mesh, "track")) {
+        double& x = model.mesh.points[std::size_t(node)][0];
+        x = 12 * (std::pow(1.1, 2 * x) - 1) / (std::pow(1.1, 24) - 1);
+    }
+    model.contactPairs[0].friction = friction;
+    return model;
+}
+
+TEST(Sliding, FacesOfOtherStiffnessNeitherJerkNorMakeEnergy)
+{
+    // A spring that took the stiffness of each face, which goes with its area, would jump by 10 %
+    // of its energy at every border.
+    for (const double friction : {0.0, 0.2}) {
+        const Model model = gradedSlider(friction);
+        const auto solver = startedSolver(model);
+        solver->advance(1, 20); // friction slides by then
+        const double held = solver->energies().contact;
+        double last = solver->pairForce(0).force[2], travelled = 0.4, worst = 0;
+        const double start = solver->energies().friction, whole = last;
+        while (travelled < 10) {
+            solver->advance(1, 1);
+            travelled += 1e6 * solver->clock().step;
+            ASSERT_EQ(solver->pairForce(0).active, 4);
+            const double force = solver->pairForce(0).force[2];
+            worst = std::max(worst, std::abs(force / last - 1));
+            last = force;
+        }
+        EXPECT_LT(worst, 1e-9);
+        EXPECT_NEAR(solver->energies().contact, held, 1e-9 * held);
+        EXPECT_NEAR(solver->energies().friction - start, friction * whole * (travelled - 0.4),
+                    1e-6 * whole);
+    }
+}
+
 TEST(Sliding, ForceOverAGentlyCurvedTargetJumpsNoMoreThanItsNormals)
 {
     const double radius = 160, angle = 0.5 / radius; // of neighbouring faces
