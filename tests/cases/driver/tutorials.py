@@ -12,6 +12,7 @@ def slidingBlock(binaries, marks):
     with CaseRun("tutorials/slidingBlock", binaries) as case:
         case.mesh()
         case.solve()
+        case.run("fpmProbe")
         way = case.table("block/0/displacement.dat")
         exact = readTable(case.root / "reference/exact.csv")
         worst = max(abs(at(t, way["time"], way["ux"]) - s) for t, s in zip(exact["t"], exact["s"]))
@@ -52,6 +53,7 @@ def ringCrush(binaries, marks):
     with CaseRun("tutorials/ringCrush", binaries) as case:
         case.mesh()
         case.solve("-backend", "serial")
+        case.run("fpmProbe")
         force, below = case.table("ram/0/reaction.dat"), case.table("table/0/reaction.dat")
         travel = [abs(u) for u in force["travel"]]
         first = 2 / math.sqrt(3) * 285 * 2.5**2 / 4 * 8 / 50 / 2
@@ -69,3 +71,10 @@ def ringCrush(binaries, marks):
         marks.below("kinetic / internal energy", energies["kinetic"][-1]
                     / energies["internal"][-1], 0.01)
         marks.below("energy balance", case.worstBalance(), 0.01)
+        # The crowns are 47.5 mm apart at first, meet, and stay outside of each other.
+        above, below = (case.table(f"crown{side}/0/displacement.dat")["uz"]
+                        for side in ("Above", "Below"))
+        gaps = [47.5 + up - down for up, down in zip(above, below)]
+        marks.true("the bore touches itself", case.table("contactForces/0/bore.dat")["active"][-1] > 0)
+        marks.below("depth of the crowns / element", max(0.0, -min(gaps)) / 0.625, 0.01)
+        marks.below("gap of the crowns at the end / element", abs(gaps[-1]) / 0.625, 0.01)
