@@ -33,37 +33,46 @@ bool isGiven(const OptionValues& options, std::string_view name)
     return false;
 }
 
-/// The manual of the application's dictionary: every key, annotated.
-fs::path annotatedDictionary(const ApplicationInfo& info)
+/// The manual of a dictionary, every key annotated: of its name where there is one (the solver
+/// reads several), else of the application's own.
+fs::path annotatedDictionary(const ApplicationInfo& info, const fs::path& dictionary)
 {
-    return etcFolder() / "caseDicts" / fs::path(info.dictionary).filename();
+    const auto manuals = etcFolder() / "caseDicts";
+    std::error_code failure;
+    const auto named = manuals / dictionary.filename();
+    return fs::is_regular_file(named, failure) ? named
+                                               : manuals / fs::path(info.dictionary).filename();
 }
 
-void listKeys(const ApplicationInfo& info, Log& log)
+void listKeys(const ApplicationInfo& info, const fs::path& dictionary, Log& log)
 {
-    const auto file = annotatedDictionary(info);
+    const auto file = annotatedDictionary(info, dictionary);
     for (const auto& key : Dictionary::read(file, file.parent_path()).keyPaths()) log.line(key);
 }
 
-void writeDefaults(const ApplicationInfo& info, const fs::path& folder, Log& log)
+void writeDefaults(const ApplicationInfo& info,
+                   const fs::path& folder,
+                   const std::string& dictionary,
+                   Log& log)
 {
     std::error_code failure;
     const auto root = fs::canonical(folder, failure);
     if (failure || !fs::is_directory(root, failure))
         throw Error(ExitCode::commandLine, format("there is no folder '{}'", folder.string()));
 
-    const auto target = confinedPath(root, info.dictionary);
+    const auto target = confinedPath(root, dictionary);
     if (fs::exists(fs::symlink_status(target, failure)))
         throw Error(ExitCode::dictionary, format("{} exists already", target.string()),
                     "rename or delete it first; -listKeys shows the keys it may hold");
 
-    const auto source = annotatedDictionary(info);
+    const auto source = annotatedDictionary(info, dictionary);
     std::ifstream stream(source, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
     if (!stream) throw Error(ExitCode::fileIo, format("cannot read {}", source.string()));
     writeFileAtomically(target, text.str());
-    log.line(format("written: {}", target.string()));
+    log.line(
+        format("written: {} (every keyword there is; keep what the case needs)", target.string()));
 }
 
 /// Options that are answered without a case. False when there is a run to do.
@@ -74,9 +83,10 @@ bool answerQuestion(const ApplicationInfo& info, const OptionValues& options, Lo
     else if (isGiven(options, "version"))
         log.line(format("{} {}", info.name, FPM_VERSION));
     else if (isGiven(options, "listKeys"))
-        listKeys(info, log);
+        listKeys(info, valueOr(options, "dict", info.dictionary), log);
     else if (isGiven(options, "writeDefaults"))
-        writeDefaults(info, valueOr(options, "case", "."), log);
+        writeDefaults(info, valueOr(options, "case", "."),
+                      valueOr(options, "dict", info.dictionary), log);
     else
         return false;
     return true;

@@ -105,7 +105,8 @@ std::vector<Option> allOptions(const ApplicationInfo& info)
             {"dict", "<file>",
              format("Dictionary, relative to the case (default: {})", info.dictionary)});
         options.push_back({"listKeys", "", "List every key of the dictionary"});
-        options.push_back({"writeDefaults", "", format("Write an annotated {}", info.dictionary)});
+        options.push_back({"writeDefaults", "",
+                           format("Write an annotated {}, or that of -dict", info.dictionary)});
     }
     options.push_back({"noLog", "", format("Write no file log.{}", info.name)});
     options.insert(options.end(), info.options.begin(), info.options.end());

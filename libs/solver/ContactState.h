@@ -42,11 +42,7 @@ struct PairState {
     Of<Index> frictionFace;
     Of<std::uint8_t> mayMeet, around;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
-<<<<<<< HEAD
-    Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass;
-=======
-    Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
->>>>>>> scenes
+    Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
@@ -196,11 +192,7 @@ struct PairState {
             sum += array->bytes();
         for (const Of<Work>* array :
              {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
-<<<<<<< HEAD
-              &contactorStiffness, &contactorShare, &contactorMass, &faceMass})
-=======
-              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
->>>>>>> scenes
+              &contactorStiffness, &contactorShare, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})

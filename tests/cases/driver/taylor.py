@@ -7,8 +7,10 @@ from driver.curves import readTable, relativeL2
 LENGTH, RADIUS = 21.475, 7.358
 
 
-def run(binaries, core, rings, axial):
+def run(binaries, core, rings, axial, selective=False):
     case = CaseRun("tutorials/taylorBar", binaries)
+    if selective:
+        case.replace("constant/partProperties", r"^ *hourglass .*\}$", "hexahedron selective;")
     case.replace("system/meshDict", r"core +\d+;", f"core {core};")
     case.replace("system/meshDict", r"rings +\d+;", f"rings {rings};")
     case.replace("system/meshDict", r"axial +\d+;", f"axial {axial};")
@@ -34,10 +36,10 @@ def others(n):
         if size == n and kind in PROGRAMS}
 
 
-def judge(binaries, marks, core, rings, axial, programs=None):
-    with run(binaries, core, rings, axial) as case:
+def judge(binaries, marks, core, rings, axial, programs=None, selective=False):
+    with run(binaries, core, rings, axial, selective) as case:
         length, radius = measure(case)
-        name = f"E1 {core + rings} elements on the radius"
+        name = f"E1 {core + rings} elements on the radius" + (", eight points" if selective else "")
         marks.against(f"{name}: length", length, LENGTH, 0.015, "mm")
         marks.within("length", length, 21.2, 21.8, " mm")
         marks.against("radius", radius, RADIUS, 0.06, "mm")
@@ -65,3 +67,8 @@ def quick(binaries, marks):
 
 def tutorial(binaries, marks):
     judge(binaries, marks, 5, 5, 50)
+
+
+def selective(binaries, marks):
+    """Eight points, twice as many elements along the axis."""
+    judge(binaries, marks, 5, 5, 100, selective=True)

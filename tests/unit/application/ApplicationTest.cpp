@@ -219,6 +219,16 @@ TEST_F(Application, WritesTheAnnotatedDictionaryOnceOnly)
     EXPECT_TRUE(holds(errors_, "exists already\n  = rename or delete it first"));
 }
 
+TEST_F(Application, WritesTheDefaultsOfTheDictionaryNamed)
+{
+    EXPECT_EQ(run({"-dict", "constant/partProperties", "-writeDefaults"}), 0);
+    EXPECT_EQ(fs::file_size(folder_.root() / "constant/partProperties"),
+              fs::file_size(etcFolder() / "caseDicts/partProperties"));
+    EXPECT_EQ(run({"-dict", "system/other", "-writeDefaults"}), 0);
+    EXPECT_EQ(fs::file_size(folder_.root() / "system/other"),
+              fs::file_size(etcFolder() / "caseDicts/controlDict"));
+}
+
 TEST_F(Application, DoesNotWriteDefaultsThroughALink)
 {
     if (!fs::exists(etcFolder() / "caseDicts/controlDict"))

@@ -190,6 +190,20 @@ TEST(HollowCylinder, NumbersItsElementsWithZetaOutward)
     }
 }
 
+TEST(HollowCylinder, NamesNoPlacesOfGmsh)
+{
+    MesherCase folder;
+    Log log(folder / "log");
+    makeMesh(Dictionary::parse("bodies { die { type hollowCylinder; base (0 0 100); axis y; "
+                               "innerRadius 45; outerRadius 50; height 100; sector quarter; "
+                               "startAngle 90; circumferential 16; radial 1; axial 10; } }",
+                               "meshDict"),
+             Case(folder / ""), false, log);
+    log.finish();
+
+    EXPECT_EQ(readBytes(folder / "log").find("warning"), std::string::npos);
+}
+
 TEST(HollowCylinder, TakesAnyNumberOfCellsAround)
 {
     for (const int around : {3, 4, 5, 7, 30}) {
