@@ -194,7 +194,7 @@ void checkMotions(const Model& model, const Dictionary& dictionary, Log& log)
         reportOverruled(imposed, initial, initial.velocity, "initial velocity", log);
     for (const BoundaryCondition& condition : model.boundaryConditions)
         if (condition.kind == Kind::force)
-            reportOverruled(imposed, condition, condition.value, "force", log);
+            reportOverruled(imposed, condition, condition.globalValue(), "force", log);
 }
 
 } // namespace fpm
