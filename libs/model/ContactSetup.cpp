@@ -125,6 +125,8 @@ void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
 {
     const std::string instead =
         "remove the entry: the target is an analytic surface, without faces";
+    if (entry.search == ContactSearch::closestParticle)
+        place.fail("search", "the target has no particles to search", instead);
     if (entry.passes == 2)
         place.fail("passes", "the target has no nodes for a second pass", instead);
     if (entry.initialOverlap != InitialOverlap::report)
