@@ -55,6 +55,10 @@ void refuseOwnTargets(const Mesh& mesh,
         if (entry.passes == 2)
             pair.fail("passes", "a surface in contact with itself has one pass: every node is "
                                 "contactor and target already");
+        if (entry.initialOverlap == InitialOverlap::move)
+            pair.fail("initialOverlap",
+                      "in contact of a surface with itself nothing says which side should move",
+                      "move the nodes in the mesh, or use offset or ramp");
         return;
     }
     const std::vector<Index> targetNodes = nodesOf(mesh, surfaces.targetSides);
@@ -121,6 +125,8 @@ void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
 {
     const std::string instead =
         "remove the entry: the target is an analytic surface, without faces";
+    if (entry.search == ContactSearch::closestParticle)
+        place.fail("search", "the target has no particles to search", instead);
     if (entry.passes == 2)
         place.fail("passes", "the target has no nodes for a second pass", instead);
     if (entry.initialOverlap != InitialOverlap::report)

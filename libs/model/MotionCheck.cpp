@@ -143,9 +143,9 @@ void checkFreePart(const Model& model, Index part, const Dictionary& dictionary)
 void checkTurns(const Model& model, const Dictionary& dictionary)
 {
     for (const BoundaryCondition& condition : model.boundaryConditions) {
-        const bool turns = condition.turns != std::array{false, false, false};
-        const bool all = condition.constrains == std::array{true, true, true};
-        if (!turns || all) continue;
+        const std::array none{false, false, false}, all{true, true, true};
+        const bool everything = condition.constrains == all && condition.turns == all;
+        if (condition.turns == none || everything) continue;
         if (condition.part < 0
             || model.parts[std::size_t(condition.part)].kind != PartKind::rigidFree)
             dictionary.sub(condition.name)
@@ -194,7 +194,7 @@ void checkMotions(const Model& model, const Dictionary& dictionary, Log& log)
         reportOverruled(imposed, initial, initial.velocity, "initial velocity", log);
     for (const BoundaryCondition& condition : model.boundaryConditions)
         if (condition.kind == Kind::force)
-            reportOverruled(imposed, condition, condition.value, "force", log);
+            reportOverruled(imposed, condition, condition.globalValue(), "force", log);
 }
 
 } // namespace fpm

@@ -168,9 +168,10 @@ void addPasses(SolverData& data, const Model& model, std::size_t number)
     data.pairs.back().reversed = true;
 }
 
-double powerOfTwoBelow(double value)
+/// Power of two that takes sums of values up to `most` to below `room`.
+double scaleFor(double room, double most)
 {
-    return std::exp2(std::floor(std::log2(value)));
+    return most > 0 ? std::exp2(std::floor(std::log2(room / most))) : 1;
 }
 
 } // namespace
@@ -214,9 +215,9 @@ void addContact(SolverData& data, const Model& model)
     }
     // Were every contactor on one node, with the largest force, the sum would stay below 2^62.
     const double room = std::exp2(61 - std::ceil(std::log2(double(contactors + 1))));
-    data.contactScale.toFixed = powerOfTwoBelow(room / largestForce);
+    data.contactScale.toFixed = scaleFor(room, largestForce);
     data.contactScale.fromFixed = 1 / data.contactScale.toFixed;
-    data.contactScale.toSpring = powerOfTwoBelow(room / largestStiffness);
+    data.contactScale.toSpring = scaleFor(room, largestStiffness);
     data.contactScale.fromSpring = 1 / data.contactScale.toSpring;
 }
 

@@ -34,7 +34,7 @@ public:
     NodalWorks nodalWorks() override;
     PairForce pairForce(std::size_t pair) override;
     BodyMotionValues bodyMotion(std::size_t body) override;
-    NodeLimit contactLimit() override;
+    ContactBound contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
     std::uint64_t stateChecksum() override;
@@ -61,7 +61,8 @@ private:
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
     void moveBodies();
-    void renewContact();
+    void endPressures(const std::vector<bool>& deleted);
+    void renewContact(const std::vector<bool>& deleted);
     void renewPair(std::size_t pair, const PairRenewal& from);
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
@@ -88,7 +89,7 @@ private:
     double startEnergy_ = 0;
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
-    std::int64_t deletions_ = 0;       ///< those the contact surfaces know
+    std::int64_t deletions_ = 0;       ///< those that pressures and contact surfaces know
     Energies lost_;                    ///< booked for contactors that are none any more
 };
 
@@ -100,7 +101,6 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     : data_(makeSolverData(model)),
       massDamping_(model.control.massDamping),
       midStepStrain_(model.control.midStepStrain),
-
       executor_(std::move(executor)),
       description_(std::move(description)),
       state_(data_, model.mesh.points),
@@ -162,8 +162,11 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         }
         executor_.synchronize();
         now = clock();
-        if (erosion_ && now.deletions != deletions_) renewContact();
+        if (now.deletions == deletions_) continue;
         deletions_ = now.deletions;
+        const std::vector<bool> deleted = elementValues().deleted;
+        endPressures(deleted);
+        if (erosion_) renewContact(deleted);
     }
     times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
 }
@@ -204,6 +207,8 @@ void ExplicitSolver<Precision, Executor>::relax()
                                      state_.patchEnergy.data(),
                                      Index(state_.patchStep.size()),
                                      elementEnergies,
+                                     state_.body.bodies.data(),
+                                     Index(data_.body.bodies.size()),
                                      data_.relaxation,
                                      state_.clock.data()};
     executor_.parallelBlocks(1, RelaxationClock::scratch(), relaxation);

@@ -1,19 +1,30 @@
 #pragma once
 
-// Part of ExplicitSolver.h: contact after elements were deleted. Called by the host between steps,
-// and only then: a step itself allocates nothing.
+// Part of ExplicitSolver.h: pressures and contact after elements were deleted. Called by the host
+// between steps, and only then: a step itself allocates nothing.
 
 namespace fpm {
+
+/// Sides of deleted elements bear no pressure from the next step on.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::endPressures(const std::vector<bool>& deleted)
+{
+    if (data_.pressureFaceCondition.empty()) return;
+    for (std::size_t face = 0; face < data_.pressureFaceElement.size(); ++face)
+        if (deleted[std::size_t(data_.pressureFaceElement[face])])
+            data_.pressureFaceCondition[face] = -1;
+    state_.pressureFaceCondition.fromHost(data_.pressureFaceCondition);
+}
 
 /// Renews the contact surfaces and keeps what is known of the contactors that stay: face, friction,
 /// forces of this time. What springs of vanished faces held is booked as lost.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewContact()
+void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& deleted)
 {
     const std::vector<PairData> pairs = data_.pairs;
     const std::vector<Index> numbers = data_.contactNumber;
     const ForceScale scale = data_.contactScale;
-    if (!erosion_->renewContact(data_, elementValues().deleted)) return;
+    if (!erosion_->renewContact(data_, deleted)) return;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
         renewPair(pair, compared(pairs[pair], data_.pairs[pair]));
     renewContactNodes(numbers, scale);
@@ -96,8 +107,8 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const Pa
     old = std::move(renewed);
 }
 
-/// The forces of this time stay on the nodes, for the step that follows; `numbers`: contact numbers
-/// of all nodes before.
+/// The forces of this time, and the bounds of the bodies, stay for the step that follows;
+/// `numbers`: contact numbers of all nodes before.
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<Index>& numbers,
                                                             const ForceScale& before)
@@ -108,6 +119,8 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
     const std::vector<Motion> inverseMass = converted<Motion>(data_.contactInverseMass);
     std::vector<std::int64_t> sum(4 * count);
     std::vector<double> limit(state_.blocks(Index(count)));
+    const std::vector<double> limits = state_.contactLimit.toHost();
+    const std::vector<double> ofBodies(limits.begin() + contactBlocks(), limits.end());
     const ForceScale& scale = data_.contactScale;
     for (std::size_t i = 0; i < count; ++i) {
         const Index number = numbers[std::size_t(data_.contactNodes[i])];
@@ -124,8 +137,9 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
     state_.contactNumber = Numbers(data_.contactNumber);
     state_.contactInverseMass = Array<Motion, Executor>(inverseMass);
     state_.contactSum = Array<std::int64_t, Executor>(sum);
-    state_.contactLimit = Array<double, Executor>(limit);
     state_.contactTravel = Array<double, Executor>(2 * limit.size());
+    limit.insert(limit.end(), ofBodies.begin(), ofBodies.end());
+    state_.contactLimit = Array<double, Executor>(limit);
     state_.searchPosition = Array<double, Executor>(3 * count);
 }
 

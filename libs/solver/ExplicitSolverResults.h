@@ -122,10 +122,10 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
 }
 
 template <class Precision, class Executor>
-NodeLimit ExplicitSolver<Precision, Executor>::contactLimit()
+ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
 {
     executor_.synchronize();
-    NodeLimit out;
+    ContactBound out;
     const std::vector<std::int64_t> sum = state_.contactSum.toHost();
     double most = 0;
     for (std::size_t i = 0; i < data_.contactNodes.size(); ++i) {
@@ -133,7 +133,14 @@ NodeLimit ExplicitSolver<Precision, Executor>::contactLimit()
             data_.contactScale.toStiffness(sum[4 * i + 3]) * data_.contactInverseMass[i];
         if (!(square > most)) continue;
         most = square;
-        out = {data_.contactNodes[i], std::sqrt(square)};
+        out = {data_.contactNodes[i], -1, std::sqrt(square)};
+    }
+    const std::vector<double> limits = state_.contactLimit.toHost();
+    for (std::size_t body = 0; body < data_.body.part.size(); ++body) {
+        const double square = limits[std::size_t(contactBlocks()) + body];
+        if (!(square > most)) continue;
+        most = square;
+        out = {-1, data_.body.part[body], std::sqrt(square)};
     }
     return out;
 }

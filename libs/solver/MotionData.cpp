@@ -97,6 +97,7 @@ void addPressure(SolverData& data,
     for (const ElementSide& side : condition.sides) {
         const Quad quad = mesh.sideNodes(side);
         data.pressureFaceNode.insert(data.pressureFaceNode.end(), quad.begin(), quad.end());
+        data.pressureFaceElement.push_back(side.element);
         data.pressureFaceCondition.push_back(number);
     }
 }

@@ -169,7 +169,7 @@ PairData makeSurfacePair(const SolverData& data,
     addPenalty(out, data, model, pair, own, {}, 1);
     double areas = 0;
     for (const ElementSide& side : own) areas += area(model.mesh, side);
-    out.meanFaceSize = std::sqrt(areas / double(own.size()));
+    if (!own.empty()) out.meanFaceSize = std::sqrt(areas / double(own.size()));
     out.reach = 0.25 * out.meanFaceSize;
     // A half space has no thickness: no deeper than the whole mesh is large.
     Point low = model.mesh.points.front(), high = low;

@@ -21,9 +21,9 @@ double largestStiffness(const PairData& pair);
 /// (sqrt(1 + zeta^2) - zeta) 2 / omega.
 double dampingLimit(const ContactLaw& law);
 
-/// The surface as the kernel has it; rows of its amplitude are appended to `amplitudeRows`.
-/// Its motion alone.
+/// Motion of an analytic surface; rows of its amplitude are appended to `amplitudeRows`.
 Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplitudeRows);
+/// The surface as the kernel has it, likewise.
 SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows);
 
 /// False where every component of the node's motion is held or driven: no spring can disturb it.

@@ -107,7 +107,10 @@ std::string stepLimit(Solver& solver, const Model& model)
     const double plain = model.control.timeStepSafety * clock.stableStep;
     if (contact < element && contact * plain <= model.control.contactStepLimit)
         return worstElement(solver, model);
-    const NodeLimit limit = solver.contactLimit();
+    const ContactBound limit = solver.contactLimit();
+    if (limit.part >= 0)
+        return format("contact springs on rigidFree part {}, omega {}",
+                      model.parts[std::size_t(limit.part)].name, limit.frequency);
     if (limit.node < 0) return worstElement(solver, model);
     const Point at = solver.nodeValues({limit.node}).at(0, 0);
     return format("contact pair {}: node {} at ({} {} {}), omega {}",
@@ -177,7 +180,7 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     log.line("kernels of this scene:");
     used(elastic, "elastic hexahedra");
     used(plastic, "elastoplastic hexahedra (radial return)");
-    used(general, "hexahedra with options chosen at run time (rotation)");
+    used(general, "hexahedra with options chosen at run time (rotation, flow, heating, deletion)");
     used(selective, "hexahedra of eight points with mean dilatation");
     for (const auto& [form, name] : {std::pair{HourglassForm::stiffness, "stiffness"},
                                      std::pair{HourglassForm::viscous, "viscous"},
@@ -198,6 +201,8 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(!solver.data().conditions.empty(), "drives and loads, ledger of nodal works");
     used(model.control.massDamping > 0, "mass damping");
     used(model.control.relaxationTolerance > 0, "dynamic relaxation");
+    used(!solver.data().pressureFaceCondition.empty(), "pressures");
+    used(!solver.data().body.bodies.empty(), "free rigid bodies");
     used(solver.data().rigidParts, "rigid parts (no element work)");
 }
 

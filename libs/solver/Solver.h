@@ -45,9 +45,10 @@ struct PairForce {
     double friction = 0, damping = 0; ///< dissipated since the start
 };
 
-/// The node whose contact springs are the stiffest for its mass; -1: none.
-struct NodeLimit {
-    Index node = -1;
+/// The node, or the part that is a free rigid body, whose contact springs are the stiffest for its
+/// mass; -1: none.
+struct ContactBound {
+    Index node = -1, part = -1;
     double frequency = 0; ///< omega_c
 };
 
@@ -109,7 +110,7 @@ public:
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
     virtual BodyMotionValues bodyMotion(std::size_t body) = 0; ///< as SolverData::body
-    virtual NodeLimit contactLimit() = 0;
+    virtual ContactBound contactLimit() = 0;
     virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;

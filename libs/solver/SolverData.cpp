@@ -198,14 +198,19 @@ void addMass(SolverData& data, const Model& model)
     }
 }
 
+/// Rest is sought from the end of the last amplitude and of the last overlap that fades.
 void addRelaxation(SolverData& data, const Model& model)
 {
     data.relaxation.tolerance = model.control.relaxationTolerance;
-    for (const Condition& condition : data.conditions)
-        if (condition.rowCount > 1)
-            data.relaxation.heldFrom = std::max(
-                data.relaxation.heldFrom,
-                data.amplitudeRows[2 * std::size_t(condition.firstRow + condition.rowCount - 1)]);
+    double& held = data.relaxation.heldFrom;
+    const auto wait = [&](const Condition& condition) {
+        const Index last = condition.firstRow + condition.rowCount - 1;
+        if (condition.rowCount > 1) held = std::max(held, data.amplitudeRows[2 * std::size_t(last)]);
+    };
+    for (const Condition& condition : data.conditions) wait(condition);
+    for (const SurfaceShape& surface : data.surfaces)
+        if (surface.moves) wait(surface.motion);
+    for (const PairData& pair : data.pairs) held = std::max(held, pair.fadeTime);
 }
 
 } // namespace
@@ -225,8 +230,8 @@ SolverData makeSolverData(const Model& model)
     scaleMass(data, model);
     addMass(data, model);
     addMotion(data, model);
-    addRelaxation(data, model);
     if (!model.contactPairs.empty()) addContact(data, model);
+    addRelaxation(data, model);
     addLoadedBodyNodes(data);
     return data;
 }

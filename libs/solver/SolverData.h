@@ -92,7 +92,8 @@ struct SolverData {
     std::vector<double> amplitudeRows;
     std::vector<Index> frameOf; ///< see NodePass
     std::vector<double> frames;
-    std::vector<Index> pressureFaceNode, pressureFaceCondition, pressureStart, pressureSlots;
+    std::vector<Index> pressureFaceNode, pressureFaceElement, pressureStart, pressureSlots;
+    std::vector<Index> pressureFaceCondition; ///< -1: the element is deleted
     BodyData body;
     bool rigidParts = false;
     bool erodes = false, heats = false; ///< some part does
@@ -121,7 +122,7 @@ struct SolverData {
     std::vector<Index> elementPlace, elementPatch;
 };
 
-/// Builds the data of a validated model. Throws Error(mesh) for a node without mass.
+/// Builds the data of a validated model. Throws Error(mesh) for an element without volume.
 SolverData makeSolverData(const Model& model);
 /// Conditions, initial velocities and bodies of makeSolverData; after masses, before contact.
 void addMotion(SolverData& data, const Model& model);

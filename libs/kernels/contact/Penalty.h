@@ -96,7 +96,7 @@ struct PairLaw {
     FPM_KERNEL double energy(Work k, Work gap, const Vec3<Work>& tangential) const
     {
         Work sum = Work(0.5) * k * gap * gap;
-        if (friction.acts())
+        if (friction.acts() && k > 0) // 0: neither side can move
             sum += dot(tangential, tangential) / (Work(2) * friction.stiffnessRatio * k);
         return double(sum);
     }

@@ -153,16 +153,18 @@ struct NodePass {
     }
 
     /// Components in the node's axes of a vector in global ones, and back. True where they differ.
-    FPM_KERNEL bool toOwnAxes(std::size_t node, Vec3<Motion>& a) const
+    template <class Real>
+    FPM_KERNEL bool toOwnAxes(std::size_t node, Vec3<Real>& a) const
     {
         if (!frameOf || frameOf[node] < 0) return false;
-        a = ownAxes(node) * a;
+        a = ownAxes<Real>(node) * a;
         return true;
     }
-    FPM_KERNEL bool fromOwnAxes(std::size_t node, Vec3<Motion>& a) const
+    template <class Real>
+    FPM_KERNEL bool fromOwnAxes(std::size_t node, Vec3<Real>& a) const
     {
         if (!frameOf || frameOf[node] < 0) return false;
-        a = transpose(ownAxes(node)) * a;
+        a = transpose(ownAxes<Real>(node)) * a;
         return true;
     }
     FPM_KERNEL Vec3<Motion> velocityOf(std::size_t node) const
@@ -172,29 +174,24 @@ struct NodePass {
     /// Sets what is held or driven of a vector in global components to 0.
     FPM_KERNEL void removeImposed(std::size_t node, double (&a)[3]) const
     {
-        Mat3<double> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        const bool own = frameOf && frameOf[node] >= 0;
-        if (own) {
-            const double* m = frames + 9 * std::size_t(frameOf[node]);
-            axes = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
-        }
-        const Vec3<double> old =
-            own ? axes * Vec3<double>{a[0], a[1], a[2]} : Vec3<double>{a[0], a[1], a[2]};
-        Vec3<double> left{imposed(node, 0) ? 0 : old.x, imposed(node, 1) ? 0 : old.y,
-                          imposed(node, 2) ? 0 : old.z};
-        if (own) left = transpose(axes) * left;
+        Vec3<double> left{a[0], a[1], a[2]};
+        toOwnAxes(node, left);
+        left = {imposed(node, 0) ? 0 : left.x, imposed(node, 1) ? 0 : left.y,
+                imposed(node, 2) ? 0 : left.z};
+        fromOwnAxes(node, left);
         a[0] = left.x;
         a[1] = left.y;
         a[2] = left.z;
     }
 
 private:
-    FPM_KERNEL Mat3<Motion> ownAxes(std::size_t node) const
+    template <class Real>
+    FPM_KERNEL Mat3<Real> ownAxes(std::size_t node) const
     {
         const double* m = frames + 9 * std::size_t(frameOf[node]);
-        return {{Motion(m[0]), Motion(m[1]), Motion(m[2])},
-                {Motion(m[3]), Motion(m[4]), Motion(m[5])},
-                {Motion(m[6]), Motion(m[7]), Motion(m[8])}};
+        return {{Real(m[0]), Real(m[1]), Real(m[2])},
+                {Real(m[3]), Real(m[4]), Real(m[5])},
+                {Real(m[6]), Real(m[7]), Real(m[8])}};
     }
 
     /// Velocity imposed on component c over the coming step, if any.

@@ -30,7 +30,7 @@ struct PressurePass {
     using Motion = typename Precision::Motion;
 
     const Index* faceNode; ///< [4 * face + corner]
-    const Index* faceCondition;
+    const Index* faceCondition; ///< -1: none any more
     const Condition* conditions;
     const double* amplitudeRows;
     const typename Precision::Position* position;
@@ -43,16 +43,19 @@ struct PressurePass {
     {
         if (!clock->running) return;
         const Index* nodes = faceNode + 4 * std::size_t(face);
-        Vec3<Motion> x[4], force[4];
+        const bool presses = faceCondition[face] >= 0;
+        Vec3<Motion> x[4], force[4] = {};
         for (int i = 0; i < 4; ++i) {
             const std::size_t a = std::size_t(nodes[i]), o = std::size_t(nodes[0]);
             x[i] = {difference<Motion>(position[a], position[o]),
                     difference<Motion>(position[nodeStride + a], position[nodeStride + o]),
                     difference<Motion>(position[2 * nodeStride + a], position[2 * nodeStride + o])};
         }
-        const Condition& condition = conditions[faceCondition[face]];
-        const double factor = amplitudeAt(condition, amplitudeRows, clock->time);
-        pressureOnFace(x, Motion(condition.value[0] * factor), force);
+        if (presses) {
+            const Condition& condition = conditions[faceCondition[face]];
+            const double factor = amplitudeAt(condition, amplitudeRows, clock->time);
+            pressureOnFace(x, Motion(condition.value[0] * factor), force);
+        }
         for (int i = 0; i < 4; ++i) {
             const std::size_t slot = 4 * std::size_t(face) + std::size_t(i);
             slotForce[slot] = force[i].x;

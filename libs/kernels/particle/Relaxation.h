@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/particle/NodePass.h"
+#include "kernels/particle/RigidBody.h"
 
 namespace fpm {
 
@@ -27,7 +27,7 @@ struct RelaxationNodes {
     using Motion = typename Precision::Motion;
 
     NodePass<Precision> pass;
-    Motion* lastForce; ///< resultant at the end of the step before, three planes
+    Motion* lastForce; ///< resultant at the end of the step before, in the node's axes, three planes
     double* blockSum;  ///< [block][relaxationSums]
 
     template <class Team>
@@ -51,21 +51,26 @@ private:
     FPM_KERNEL void measure(std::size_t node, double* out) const
     {
         const auto internal = pass.internalForce(node), contact = pass.contact(node),
-                   load = pass.load(node, pass.clock->time);
-        const double in[3] = {double(internal.x), double(internal.y), double(internal.z)};
-        const double outer[3] = {double(load.x) + double(contact.x),
-                                 double(load.y) + double(contact.y),
-                                 double(load.z) + double(contact.z)};
+                   load = pass.load(node, pass.clock->time), motion = pass.velocityOf(node);
+        const Vec3<double> in{double(internal.x), double(internal.y), double(internal.z)};
+        Vec3<double> free{double(load.x) + double(contact.x) - in.x,
+                          double(load.y) + double(contact.y) - in.y,
+                          double(load.z) + double(contact.z) - in.z},
+            speed{double(motion.x), double(motion.y), double(motion.z)};
+        pass.toOwnAxes(node, free);
+        pass.toOwnAxes(node, speed);
+        const double resultants[3] = {free.x, free.y, free.z},
+                     velocity[3] = {speed.x, speed.y, speed.z};
         const double inverse = double(pass.inverseMass[node]), step = pass.clock->step;
         const double mass = inverse > 0 ? 1 / inverse : 0;
         double sums[relaxationSums] = {};
+        sums[relaxationForce] = dot(in, in);
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * pass.nodeStride + node;
-            sums[relaxationForce] += in[c] * in[c];
             if (pass.imposed(node, c)) continue;
-            const double resultant = outer[c] - in[c], before = double(lastForce[at]);
+            const double resultant = resultants[c], before = double(lastForce[at]);
             lastForce[at] = Motion(resultant);
-            const double v = double(pass.velocity[at]), way = step * v;
+            const double v = velocity[c], way = step * v;
             sums[relaxationWork] += (before - resultant) * way;
             sums[relaxationInertia] += mass * way * way;
             sums[relaxationResidual] += resultant * resultant;
@@ -75,10 +80,29 @@ private:
     }
 };
 
+/// The share of a free rigid body: its nodes are none of those above. Moments go with angular
+/// velocities, and are forces by the radius of gyration.
+FPM_KERNEL void addBody(RigidBody& body, double step, double* sums)
+{
+    const Wrench now{withoutHeldTranslation(body, body.contact.force + body.outer.force),
+                     withoutHeldTurns(body, body.contact.moment + body.outer.moment)};
+    const Vec3<double> spin = spinOf(body, body.momentum);
+    const double inertia =
+        body.mass * dot(body.velocity, body.velocity) + dot(body.momentum, spin);
+    sums[relaxationWork] += step
+                            * (dot(body.last.force - now.force, body.velocity)
+                               + dot(body.last.moment - now.moment, spin));
+    sums[relaxationInertia] += step * step * inertia;
+    sums[relaxationResidual] +=
+        dot(now.force, now.force) + body.mass * dot(now.moment, spinOf(body, now.moment));
+    sums[relaxationKinetic] += 0.5 * inertia;
+    body.last = now;
+}
+
 /// When a body is at rest under loads that are held.
 struct RelaxationRules {
     double tolerance = 0; ///< of the residual force, and of the square root of the kinetic share
-    double heldFrom = 0;  ///< time from which no load or drive changes any more
+    double heldFrom = 0; ///< time from which no load, drive, surface or forgiven depth changes
 };
 
 /// The damping of the coming step, twice the frequency that the Rayleigh quotient of the last step
@@ -90,6 +114,8 @@ struct RelaxationClock {
     Index blockCount;
     const double* patchEnergy; ///< [patch][energies], internal first, hourglass third
     Index patchCount, energies;
+    RigidBody* bodies;
+    Index bodyCount;
     RelaxationRules rules;
     StepClock* clock;
 
@@ -115,9 +141,13 @@ struct RelaxationClock {
         team.barrier();
         StepClock* out = clock;
         const RelaxationRules how = rules;
+        RigidBody* body = bodies;
+        const Index count = bodyCount;
         team.forEach(1, [=](Index) {
+            if (!out->running) return;
             double total[relaxationSums + 1];
             for (int k = 0; k <= relaxationSums; ++k) total[k] = blockSumResult(partial, k);
+            for (Index i = 0; i < count; ++i) addBody(body[i], out->step, total);
             relax(*out, how, total);
         });
         team.barrier();
@@ -127,7 +157,6 @@ struct RelaxationClock {
     FPM_KERNEL static void
     relax(StepClock& clock, const RelaxationRules& rules, const double* total)
     {
-        if (!clock.running) return;
         if (total[relaxationWork] > 0 && total[relaxationInertia] > 0)
             clock.damping = 2 * ::sqrt(total[relaxationWork] / total[relaxationInertia]);
         const double stored = total[relaxationSums];

@@ -32,6 +32,7 @@ struct RigidBody {
     Vec3<double> start, centre, velocity, momentum;
     double q[4];            ///< unit quaternion, q[3] real
     Wrench contact, outer;  ///< at the time of the positions
+    Wrench last;            ///< resultant a step before, for dynamic relaxation alone
     double work[nodeWorks]; ///< running sums, as NodePass::blockWork
 };
 

@@ -187,6 +187,7 @@ struct Element {
                                                      T(rate), strainPoint, state);
         if constexpr (Material::plastic)
             state.equivalentPlasticStrain += step.plasticStrainIncrement;
+        if constexpr (Material::general) state.temperatureRise += step.temperatureIncrement;
         force = cornersOf(w);
         work += double(step.internal) + double(step.hourglass);
         x = next;

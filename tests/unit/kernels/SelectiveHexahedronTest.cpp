@@ -23,6 +23,7 @@ struct Selective {
         {
             state[point] = from;
             state[point].equivalentPlasticStrain += taken.plasticStrainIncrement;
+            state[point].temperatureRise += taken.temperatureIncrement;
         }
     };
     MaterialConstants<T> material;
@@ -164,6 +165,18 @@ TEST(SelectiveHexahedron, AnyLinearFieldIsTheOnePointElementWithTheSameSpin)
         m.general.rotation = RotationRule::hughesWinget;
         m.linearViscosity = 0.06;
         m.quadraticViscosity = 1.2;
+        if (i % 2) { // backstress, power law, rate and heat
+            m.general.kinematicModulus = 0.05;
+            m.general.powerModulus = 0.03;
+            m.general.powerExponent = 0.4;
+            m.general.rateLaw = RateLaw::cowperSymonds;
+            m.general.referenceRate = 2;
+            m.general.rateCoefficient = 0.25;
+            m.general.heatPerWork = 5;
+            m.general.temperature = m.general.roomTemperature = 293;
+            m.general.softeningExponent = 1.1;
+            m.general.inverseMeltingRange = 1e-3;
+        }
         Selective<> selective(m, start);
         Element<GeneralPlasticity, StiffnessHourglass> reduced(m, start);
         Matrix f = Matrix::Identity();
@@ -177,6 +190,11 @@ TEST(SelectiveHexahedron, AnyLinearFieldIsTheOnePointElementWithTheSameSpin)
             EXPECT_LT((selective.stress(p) - reduced.stress()).cwiseAbs().maxCoeff(), 1e-13);
             EXPECT_NEAR(selective.state[p].equivalentPlasticStrain,
                         reduced.state.equivalentPlasticStrain, 1e-13);
+            EXPECT_LT((matrixOf(selective.state[p].backstress) - matrixOf(reduced.state.backstress))
+                          .cwiseAbs()
+                          .maxCoeff(),
+                      1e-13);
+            EXPECT_NEAR(selective.state[p].temperatureRise, reduced.state.temperatureRise, 1e-13);
         }
         EXPECT_LT((selective.force - reduced.force).cwiseAbs().maxCoeff(), 1e-12);
         EXPECT_NEAR(selective.step.internal, reduced.step.internal, 1e-13);

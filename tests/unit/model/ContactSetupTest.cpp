@@ -173,6 +173,11 @@ TEST(ContactSetup, TakesASurfaceAgainstItself)
     EXPECT_TRUE(contains(
         refusal([&] { shop.run("pairs { own { contactor upper; target upper; passes two; } }"); }),
         "has one pass"));
+    EXPECT_TRUE(contains(refusal([&] {
+                             shop.run("pairs { own { contactor upper; target upper; "
+                                      "initialOverlap move; } }");
+                         }),
+                         "nothing says which side should move"));
 }
 
 TEST(ContactSetup, GeneralContactIsAllFacesOfAllParts)

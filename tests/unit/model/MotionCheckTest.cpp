@@ -168,8 +168,12 @@ TEST(MotionCheck, HoldsARigidFreePartAsAWholeOnly)
     EXPECT_TRUE(
         contains(refusal([&] { check("a { type fixed; part block; rotations (x); }", free); }),
                  "one rotation of part 'block' is held and two are free"));
-    EXPECT_TRUE(contains(refusal([] { check("a { type fixed; part block; rotations (x); }"); }),
-                         "'a' holds rotations, but does not name a rigidFree part"));
+    for (const char* components : {"", "components (x y z);"})
+        EXPECT_TRUE(contains(refusal([&] {
+                                 check(std::string("a { type fixed; part block; rotations (x); ")
+                                       + components + " }");
+                             }),
+                             "'a' holds rotations, but does not name a rigidFree part"));
 }
 
 TEST(MotionCheck, RefusesNodesSharedWithARigidFreePart)

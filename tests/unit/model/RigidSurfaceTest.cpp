@@ -119,6 +119,19 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
     EXPECT_EQ(model.contactPairs[0].surface, 0);
     EXPECT_TRUE(model.contactPairs[0].targetSides.empty());
 
+    for (const auto& [option, why] : {std::pair{"passes two;", "no nodes for a second pass"},
+                                      std::pair{"search closestParticle;", "no particles to search"},
+                                      std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
+        folder.write("system/contactDict",
+                     std::string("pairs { onWall { contactor box; target wall; ") + option
+                         + " } } surfaces { wall { type plane; point (0 0 0); normal (0 0 1); } }");
+        EXPECT_TRUE(contains(refusal([&] {
+                                 setContact(mesh, folder.open().dictionary("system/contactDict"),
+                                            folder.open(), quiet);
+                             }),
+                             why));
+    }
+
     const SurfaceFit deep = measureSurfaceContact(
         mesh, mesh.contact[0], surfaceOf("type sphere; centre (1 1 -1); radius 1.25;"));
     EXPECT_EQ(deep.overlaps, 1u); // the middle of the lower side

@@ -1,6 +1,6 @@
 #include "solver/Erosion.h"
 
-#include "unit/solver/scenes.h"
+#include "unit/solver/kindScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -185,6 +185,132 @@ TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
     EXPECT_GE(solver->clock().elementStep, first);
     const ElementValues values = solver->elementValues();
     EXPECT_EQ(std::ranges::count(values.deleted, true), 1);
+}
+
+/// `layers` in general contact with friction and damping.
+Model generalLayers(PartKind stamp)
+{
+    Model model = layers(4e5, isRigid(stamp) ? 0.05 : 0.3); // the body is light
+    model.parts[2].kind = stamp;
+    if (isRigid(stamp)) model.parts[2].inertia = {2e-9, false, true, {}, {1e-9, 1e-9, 1e-9}};
+    model.initialVelocities[0].part = 2;
+    model.contactPairs.clear();
+    model.mesh.contact.clear();
+    ContactPair& pair = addGeneral(model);
+    pair.friction = 0.3;
+    pair.normalDamping = 0.1;
+    return model;
+}
+
+/// In general contact a deletion changes contactors and targets alike, and the slots of nodes that
+/// touch several bodies; what friction and damping have taken stays booked.
+TEST(Erosion, GoesOnInGeneralContactWithFriction)
+{
+    for (const PartKind stamp : {PartKind::elastic, PartKind::rigidFree}) {
+        const Model model = generalLayers(stamp);
+        const auto solver = startedSolver(model);
+        double friction = 0, damping = 0;
+        std::int64_t deletions = 0;
+        int byBody = 0; // deletions while the rigid body bounds the step
+        for (int call = 0; call < 400 && !solver->clock().failed; ++call) {
+            solver->advance(2.5e-5, 1);
+            const Energies e = solver->energies();
+            EXPECT_LT(std::abs(e.balance), 0.01);
+            // Lagged by half a step damping may give back a little, never what is booked.
+            EXPECT_GE(e.friction, 0.999 * friction);
+            EXPECT_GE(e.contactDamping, 0.999 * damping);
+            friction = e.friction;
+            damping = e.contactDamping;
+            // The bound of the next step is that of the contact springs of now, bodies included.
+            const ContactBound limit = solver->contactLimit();
+            const bool renewed = solver->clock().deletions != deletions;
+            byBody += renewed && limit.part == 2;
+            deletions = solver->clock().deletions;
+            solver->advance(2.5e-5, 1);
+            if (solver->clock().time < 2.5e-5) {
+                EXPECT_NEAR(limit.frequency, solver->clock().contactFrequency,
+                            (renewed ? 1e-9 : 1e-15) * limit.frequency);
+            }
+        }
+        ASSERT_FALSE(solver->clock().failed);
+        EXPECT_GT(deletions, 0);
+        EXPECT_GT(friction, 0);
+        EXPECT_GT(damping, 0);
+        EXPECT_EQ(byBody > 0, stamp == PartKind::rigidFree);
+    }
+}
+
+/// An eroding body on a moving plane: the plane and its amplitude are entered once, and what the
+/// plane has done stays booked for contactors that are none any more.
+TEST(Erosion, GoesOnAgainstAMovingPlane)
+{
+    Model model;
+    addBox(model.mesh, "block", {3, 3, 4}, {0, 0, 0}, {3, 3, 4});
+    renumber(model.mesh, 32);
+    Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness, "block");
+    part.erosion.plasticStrain = 0.2;
+    model.parts = {part};
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] > 3.99; }));
+    RigidSurface plane;
+    plane.name = "plane";
+    plane.axis = {0, 0, 1};
+    plane.motion = RigidSurface::Motion::displacement;
+    plane.value = {0, 0, 2};
+    plane.amplitude = {Amplitude::Kind::table, {{0, 0}, {4e-5, 1}}};
+    addContact(model, "touch", skin(model.mesh, 0), {}).surface = 0;
+    model.contactPairs[0].friction = 0.2;
+    model.rigidSurfaces = {plane};
+    model.control.backend = "serial";
+    const auto solver = startedSolver(model);
+    const std::size_t rows = solver->data().amplitudeRows.size(),
+                      contactors = solver->data().pairs[0].contactor.size();
+    double work = 0;
+    for (int call = 0; call < 100 && solver->clock().time < 4e-5; ++call) {
+        solver->advance(4e-5, 10);
+        ASSERT_FALSE(solver->clock().failed);
+        const Energies e = solver->energies();
+        EXPECT_LT(std::abs(e.balance), 0.01);
+        EXPECT_GE(e.external, 0.99 * work); // it never springs back much
+        work = e.external;
+    }
+    EXPECT_GT(solver->clock().deletions, 0);
+    EXPECT_EQ(solver->data().surfaces.size(), 1u);
+    EXPECT_EQ(solver->data().amplitudeRows.size(), rows);
+    EXPECT_NE(solver->data().pairs[0].contactor.size(), contactors);
+    EXPECT_GT(work, 0);
+}
+
+/// A side that is gone bears no pressure: nodes that are left without elements do not fly off.
+TEST(Erosion, PressureEndsWithTheElementItActsOn)
+{
+    Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
+    part.erosion.plasticStrain = 0.01;
+    Model model = boxModel({2, 1, 1}, {2, 1, 1}, part);
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::velocity, "crush",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] < 1e-9; }), {true, true, true},
+                  {1e4, 0, 0}));
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] > 1e-9; }));
+    BoundaryCondition pressure = condition(BoundaryCondition::Kind::pressure, "p", {},
+                                           {true, true, true}, {5, 0, 0});
+    pressure.sides = facing(model.mesh, "box", {0, 0, 1});
+    pressure.nodes = nodesOf(model.mesh, pressure.sides);
+    model.boundaryConditions.push_back(pressure);
+    const auto solver = startedSolver(model);
+    const auto load = [&] { // on the two upper nodes of the left end; no contact
+        const auto nodes =
+            nodesWhere(model.mesh, [](Point p) { return p[0] < 1e-9 && p[2] > 0.99; });
+        const NodeValues values = solver->nodeValues(nodes);
+        return values.at(3, 0)[2] + values.at(3, 1)[2];
+    };
+    EXPECT_NEAR(load(), -2.5, 1e-9);
+    solver->advance(9e-5, 1000000);
+    ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
+    EXPECT_EQ(load(), 0);
+    EXPECT_NEAR(solver->nodeValues(nodesWhere(model.mesh, [](Point p) {
+                          return p[0] > 1.99 && p[1] < 0.01 && p[2] > 0.99;
+                      })).at(3, 0)[2],
+                -1.25, 0.3); // the right one still has it
 }
 
 } // namespace fpm::test

@@ -166,6 +166,22 @@ TEST(Penalty, SlowPressingDoesNotChatter)
     EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
 }
 
+/// With `penalty mass` nothing resists where neither side can move: no force, and no number lost.
+TEST(Penalty, MassOfSidesThatCannotMoveIsNoSpring)
+{
+    Model model = twoBlocks(elasticWithoutPoisson("upper"), elasticWithoutPoisson("lower"),
+                            {0, 0, 0}, 0.3, -0.01);
+    model.parts[0].kind = PartKind::rigidPrescribed;
+    holdFixed(model, nodesOfPart(model.mesh, "lower"));
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < 0 && p[2] > -0.5; }));
+    model.contactPairs[0].penalty = PenaltyRule::mass;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 20);
+    EXPECT_FALSE(solver->clock().failed);
+    EXPECT_EQ(solver->energies().contact, 0);
+    EXPECT_EQ(solver->energies().balance, 0);
+}
+
 TEST(Penalty, RunsRepeatThemselves)
 {
     const Model model =

@@ -174,6 +174,84 @@ TEST(DynamicRelaxation, PressesTwoBlocksTogether)
     EXPECT_LT(std::abs(solver->energies().balance), 5e-3);
 }
 
+/// What is held along oblique axes bears a reaction that is no force out of balance.
+TEST(DynamicRelaxation, KnowsTheAxesOfItsNodes)
+{
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    Model model = boxModel({6, 1, 1}, {6, 1, 1}, bare());
+    const std::vector<Index> held = nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }),
+                             pulled = nodesWhere(model.mesh, [](Point p) { return p[0] == 6; });
+    for (Point& p : model.mesh.points) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+    BoundaryCondition wall =
+        condition(BoundaryCondition::Kind::fixed, "wall", held, {true, false, false});
+    wall.axes = {Point{c, s, 0}, Point{-s, c, 0}, Point{0, 0, 1}};
+    model.boundaryConditions = {wall, condition(BoundaryCondition::Kind::force, "pull", pulled,
+                                                {true, true, true}, {70 * c, 70 * s, 0})};
+    model.control.relaxationTolerance = 1e-4;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 20000);
+    ASSERT_TRUE(solver->clock().settled);
+    const Point end = solver->nodeValues({pulled[0]}).at(0, 0),
+                start = model.mesh.points[std::size_t(pulled[0])];
+    EXPECT_NEAR(c * (end[0] - start[0]) + s * (end[1] - start[1]), 6e-3, 1e-5);
+}
+
+/// A block on an elastic one, pressed by a plane that comes down slowly: it is no rest before that
+/// stands still.
+TEST(DynamicRelaxation, WaitsForMovingSurfaces)
+{
+    Model model = boxModel({2, 2, 2}, {2, 2, 2}, bare());
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] == 0; }));
+    RigidSurface plane;
+    plane.name = "plane";
+    plane.point = {0, 0, 2};
+    plane.axis = {0, 0, -1};
+    plane.motion = RigidSurface::Motion::displacement;
+    plane.value = {0, 0, -0.01};
+    plane.amplitude = {Amplitude::Kind::table, {{0, 0}, {1e-3, 1}}};
+    model.rigidSurfaces = {plane};
+    addContact(model, "press", facing(model.mesh, "box", {0, 0, 1}), {}).surface = 0;
+    model.control.relaxationTolerance = 1e-2;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 100000);
+    ASSERT_TRUE(solver->clock().settled);
+    EXPECT_GT(solver->clock().time, 1e-3);
+}
+
+TEST(DynamicRelaxation, WaitsForTheEndOfForgivenOverlaps)
+{
+    Model model = twoBlocks(bare(), bare(), {0, 0, 0}, 0, -0.01);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99 || p[2] > 5.98; }));
+    model.contactPairs[0].initialOverlap = InitialOverlap::ramp;
+    model.contactPairs[0].rampTime = 1e-3;
+    model.control.relaxationTolerance = 1e-2;
+    const auto solver = startedSolver(model);
+    solver->advance(1, 100000);
+    ASSERT_TRUE(solver->clock().settled);
+    EXPECT_GT(solver->clock().time, 1e-3);
+}
+
+/// A heavy rigid block comes to rest on an elastic one: the body's inertia and resultant count.
+TEST(DynamicRelaxation, BringsARigidBodyToRest)
+{
+    for (const double density : {2.7e-9, 2.7e-7}) {
+        Model model = twoBlocks(bare(), bare(), {0, 0, 0}, 0.3);
+        model.parts[1].kind = PartKind::rigidFree;
+        model.parts[1].density = density;
+        holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
+        model.boundaryConditions.push_back(
+            condition(BoundaryCondition::Kind::force, "load",
+                      nodesWhere(model.mesh, [](Point p) { return p[2] > 5.99; }),
+                      {false, false, true}, {0, 0, -300}));
+        model.control.relaxationTolerance = 1e-3;
+        const auto solver = startedSolver(model);
+        solver->advance(1, 100000);
+        ASSERT_TRUE(solver->clock().settled);
+        EXPECT_NEAR(solver->pairForce(0).force[2], 300, 1);
+        EXPECT_LT(std::abs(solver->energies().balance), 5e-3);
+    }
+}
+
 // Elastica (Mattiasson 1981): P L^2 / E I = 1 bends the tip by 0.30172 L and draws it in by
 // 0.05643 L.
 TEST(DynamicRelaxation, FindsTheElastica)
