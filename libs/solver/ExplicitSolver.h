@@ -202,15 +202,10 @@ void ExplicitSolver<Precision, Executor>::relax()
     const RelaxationNodes<Precision> nodes{nodePass(), state_.lastForce.data(),
                                            state_.relaxationSum.data()};
     executor_.parallelBlocks(nodeBlocks(), relaxationScratch(), nodes);
-    const RelaxationClock relaxation{state_.relaxationSum.data(),
-                                     nodeBlocks(),
-                                     state_.patchEnergy.data(),
-                                     Index(state_.patchStep.size()),
-                                     elementEnergies,
-                                     state_.body.bodies.data(),
-                                     Index(data_.body.bodies.size()),
-                                     data_.relaxation,
-                                     state_.clock.data()};
+    const RelaxationClock relaxation{
+        state_.relaxationSum.data(),     nodeBlocks(),     state_.patchEnergy.data(),
+        Index(state_.patchStep.size()),  elementEnergies,  state_.body.bodies.data(),
+        Index(data_.body.bodies.size()), data_.relaxation, state_.clock.data()};
     executor_.parallelBlocks(1, RelaxationClock::scratch(), relaxation);
 }
 

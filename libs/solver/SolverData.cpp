@@ -205,7 +205,8 @@ void addRelaxation(SolverData& data, const Model& model)
     double& held = data.relaxation.heldFrom;
     const auto wait = [&](const Condition& condition) {
         const Index last = condition.firstRow + condition.rowCount - 1;
-        if (condition.rowCount > 1) held = std::max(held, data.amplitudeRows[2 * std::size_t(last)]);
+        if (condition.rowCount > 1)
+            held = std::max(held, data.amplitudeRows[2 * std::size_t(last)]);
     };
     for (const Condition& condition : data.conditions) wait(condition);
     for (const SurfaceShape& surface : data.surfaces)

@@ -36,7 +36,7 @@ struct PairData {
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
     std::vector<double> faceStiffness, faceThickness, faceMass;
-    bool unequalFaces = false; ///< in stiffness, by more than rounding
+    bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
     std::vector<double> contactorShare; ///< of the stiffness; empty: 1 everywhere

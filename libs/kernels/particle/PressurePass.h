@@ -29,7 +29,7 @@ template <class Precision>
 struct PressurePass {
     using Motion = typename Precision::Motion;
 
-    const Index* faceNode; ///< [4 * face + corner]
+    const Index* faceNode;      ///< [4 * face + corner]
     const Index* faceCondition; ///< -1: none any more
     const Condition* conditions;
     const double* amplitudeRows;

@@ -27,8 +27,9 @@ struct RelaxationNodes {
     using Motion = typename Precision::Motion;
 
     NodePass<Precision> pass;
-    Motion* lastForce; ///< resultant at the end of the step before, in the node's axes, three planes
-    double* blockSum;  ///< [block][relaxationSums]
+    Motion*
+        lastForce;    ///< resultant at the end of the step before, in the node's axes, three planes
+    double* blockSum; ///< [block][relaxationSums]
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
@@ -87,8 +88,7 @@ FPM_KERNEL void addBody(RigidBody& body, double step, double* sums)
     const Wrench now{withoutHeldTranslation(body, body.contact.force + body.outer.force),
                      withoutHeldTurns(body, body.contact.moment + body.outer.moment)};
     const Vec3<double> spin = spinOf(body, body.momentum);
-    const double inertia =
-        body.mass * dot(body.velocity, body.velocity) + dot(body.momentum, spin);
+    const double inertia = body.mass * dot(body.velocity, body.velocity) + dot(body.momentum, spin);
     sums[relaxationWork] += step
                             * (dot(body.last.force - now.force, body.velocity)
                                + dot(body.last.moment - now.moment, spin));
@@ -102,7 +102,7 @@ FPM_KERNEL void addBody(RigidBody& body, double step, double* sums)
 /// When a body is at rest under loads that are held.
 struct RelaxationRules {
     double tolerance = 0; ///< of the residual force, and of the square root of the kinetic share
-    double heldFrom = 0; ///< time from which no load, drive, surface or forgiven depth changes
+    double heldFrom = 0;  ///< time from which no load, drive, surface or forgiven depth changes
 };
 
 /// The damping of the coming step, twice the frequency that the Rayleigh quotient of the last step

@@ -119,9 +119,10 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
     EXPECT_EQ(model.contactPairs[0].surface, 0);
     EXPECT_TRUE(model.contactPairs[0].targetSides.empty());
 
-    for (const auto& [option, why] : {std::pair{"passes two;", "no nodes for a second pass"},
-                                      std::pair{"search closestParticle;", "no particles to search"},
-                                      std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
+    for (const auto& [option, why] :
+         {std::pair{"passes two;", "no nodes for a second pass"},
+          std::pair{"search closestParticle;", "no particles to search"},
+          std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
         folder.write("system/contactDict",
                      std::string("pairs { onWall { contactor box; target wall; ") + option
                          + " } } surfaces { wall { type plane; point (0 0 0); normal (0 0 1); } }");
