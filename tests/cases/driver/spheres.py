@@ -55,4 +55,4 @@ def checkBounce(binaries, marks, core, rings):
 
 
 def bounces(binaries, marks):
-    checkBounce(binaries, marks, 8, 8)
+    checkBounce(binaries, marks, 12, 12)
