@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace fpm {
 
 /// Which stiffness K A^2 / V a contact spring takes; mass: m* / dt^2 instead, m* the lesser of the

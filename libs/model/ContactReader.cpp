@@ -5,8 +5,6 @@
 #include "model/Names.h"
 #include "model/PointAlgebra.h"
 
-#include <algorithm>
-
 namespace fpm {
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include "base/Format.h"
 
-#include <cmath>
 #include <limits>
 
 namespace fpm {

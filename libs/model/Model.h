@@ -6,7 +6,6 @@
 #include "model/RigidSurface.h"
 
 #include <array>
-#include <limits>
 #include <string>
 #include <vector>
 

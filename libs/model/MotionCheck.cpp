@@ -6,7 +6,6 @@
 #include "model/PointAlgebra.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fpm {
 

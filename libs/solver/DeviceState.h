@@ -17,7 +17,6 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                                    Work(m.pressureWaveModulus),
                                    Work(m.young),
                                    Work(m.poisson),
-                                   Work(m.waveSpeed),
                                    Work(m.linearViscosity),
                                    Work(m.quadraticViscosity),
                                    Work(m.hourglass),
@@ -103,7 +102,7 @@ struct DeviceState {
     std::vector<Of<Index>> groupPatches;
     Of<std::uint16_t> corners, slotCorners;
     Of<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
-    Of<Work> elementMass, state, slotForce;
+    Of<Work> elementMass, massRatio, state, slotForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
     Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
@@ -134,6 +133,7 @@ struct DeviceState {
           nodeSlotStart(data.nodeSlotStart),
           nodeSlots(data.nodeSlots),
           elementMass(converted<Work>(data.elementMass)),
+          massRatio(converted<Work>(data.massRatio)),
           state(data.stateSize),
           slotForce(3 * std::size_t(data.slotCount)),
           plasticStrain(data.strainCount),
@@ -192,16 +192,16 @@ struct DeviceState {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
             + slotNode.bytes() + slotCornerStart.bytes() + nodeSlotStart.bytes() + nodeSlots.bytes()
-            + elementMass.bytes() + state.bytes() + slotForce.bytes() + plasticStrain.bytes()
-            + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
-            + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
-            + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
-            + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
-            + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
-            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
-            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
-            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
-            + relaxationSum.bytes();
+            + elementMass.bytes() + massRatio.bytes() + state.bytes() + slotForce.bytes()
+            + plasticStrain.bytes() + position.bytes() + velocity.bytes() + inverseMass.bytes()
+            + fixed.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
+            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes()
+            + searchPosition.bytes() + contactNodes.bytes() + contactLimit.bytes()
+            + contactTravel.bytes() + contactInverseMass.bytes() + blockEnergy.bytes()
+            + uses.bytes() + frameOf.bytes() + frames.bytes() + pressureFaceNode.bytes()
+            + pressureFaceCondition.bytes() + pressureStart.bytes() + pressureSlots.bytes()
+            + pressureForce.bytes() + body.bytes() + conditions.bytes() + amplitudeRows.bytes()
+            + lastForce.bytes() + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

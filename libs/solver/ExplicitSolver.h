@@ -255,6 +255,7 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .velocity = state_.velocity.data(),
         .nodeStride = std::size_t(data_.nodeCount),
         .mass = state_.elementMass.data(),
+        .massRatio = state_.massRatio.data(),
         .state = state_.state.data(),
         .plasticStrain = state_.plasticStrain.data(),
         .slotForce = state_.slotForce.data(),

@@ -59,7 +59,6 @@ MaterialConstants<double> materialConstants(const Part& part)
     m.pressureWaveModulus = m.lambda + 2 * mu;
     m.young = e;
     m.poisson = nu;
-    m.waveSpeed = std::sqrt(m.pressureWaveModulus / part.density);
     m.linearViscosity = part.linearBulkViscosity;
     m.quadraticViscosity = part.quadraticBulkViscosity;
     m.hourglass = part.hourglassCoefficient;

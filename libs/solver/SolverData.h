@@ -80,6 +80,7 @@ struct SolverData {
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
     std::vector<double> elementMass; ///< tiles of 1
+    std::vector<double> massRatio;   ///< of it to the mass that is heated; empty: 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
     std::vector<double> ownNodeMass; ///< without: what weighs
     std::size_t scaledElements = 0;

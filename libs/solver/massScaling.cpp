@@ -4,6 +4,7 @@ namespace fpm {
 
 void scaleMass(SolverData& data, const Model& model)
 {
+    const std::vector<double> unscaled = data.elementMass;
     for (Index element = 0; element < data.elementCount; ++element) {
         const Part& part = model.parts[std::size_t(model.mesh.partOf(element))];
         if (part.massFactor == 1 && !(part.targetStep > 0)) continue;
@@ -19,6 +20,9 @@ void scaleMass(SolverData& data, const Model& model)
         }
         data.scaledElements += mass > own;
     }
+    if (!data.heats || data.scaledElements == 0) return;
+    for (std::size_t i = 0; i < unscaled.size(); ++i)
+        data.massRatio.push_back(unscaled[i] > 0 ? data.elementMass[i] / unscaled[i] : 1);
 }
 
 } // namespace fpm

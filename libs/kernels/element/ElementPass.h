@@ -53,10 +53,11 @@ struct ElementPass {
     const Position* position;         ///< three planes, nodeStride apart
     const Motion* velocity;
     std::size_t nodeStride;
-    const Work* mass;   ///< tiles of 1
-    Work* state;        ///< tiles of the part's StateLayout
-    Sum* plasticStrain; ///< likewise, with the rises of temperature
-    Work* slotForce;    ///< three planes, slotStride apart
+    const Work* mass;      ///< tiles of 1
+    const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
+    Work* state;           ///< tiles of the part's StateLayout
+    Sum* plasticStrain;    ///< likewise, with the rises of temperature
+    Work* slotForce;       ///< three planes, slotStride apart
     std::size_t slotStride;
     double* patchEnergy; ///< [patch][elementEnergies], running sums
     double* patchStep;   ///< [patch], stable step
@@ -287,7 +288,9 @@ private:
                 storeTensor(first + layout.backstress(point) * stride, stride, from.backstress);
             if (layout.heats)
                 accumulate(plasticStrain + patch.strains + layout.temperature(point) * stride + e,
-                           step.temperatureIncrement);
+                           massRatio
+                               ? load<T>(massRatio + patch.tile + e) * step.temperatureIncrement
+                               : step.temperatureIncrement);
         }
         if constexpr (Hourglass::stateSize > 0) {
             Work* q = first + layout.hourglassForces() * stride;

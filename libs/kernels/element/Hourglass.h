@@ -77,8 +77,10 @@ struct ViscousHourglass {
     trial(const MaterialConstants<ScalarOf<T>>& m, const HourglassInput<T>& in, Vec3<T> (&q)[4])
     {
         using Real = ScalarOf<T>;
-        const T area = squareRoot(T(Real(2) / Real(3)) * in.gradientSquare);
-        const T c = T(Real(0.25) * m.hourglass * m.waveSpeed) * in.density * area * in.rate;
+        // rho c_d l^2; density and wave speed of the element's own mass, which may be scaled.
+        const T impedance = squareRoot(T(Real(2) / Real(3) * m.pressureWaveModulus) * in.density
+                                       * in.gradientSquare);
+        const T c = T(Real(0.25) * m.hourglass) * impedance * in.rate;
         const T zero = T(Real(0));
         HourglassTrial<T> out{zero, zero, zero, zero};
         for (int j = 0; j < 4; ++j) {

@@ -37,7 +37,6 @@ struct MaterialConstants {
     Work lambda, twoMu, threeMu;
     Work pressureWaveModulus; ///< lambda + 2 mu
     Work young, poisson;
-    Work waveSpeed; ///< sqrt((lambda + 2 mu) / density), undeformed
     Work linearViscosity, quadraticViscosity;
     Work hourglass;        ///< coefficient of the chosen form
     Work coupledHourglass; ///< 1: physical form yields with the section; 0: stays elastic

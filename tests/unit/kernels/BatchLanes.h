@@ -109,7 +109,6 @@ fpm::MaterialConstants<Real> batchMaterial()
     m.pressureWaveModulus = Real(lambda + 2 * mu);
     m.young = Real(young);
     m.poisson = Real(poisson);
-    m.waveSpeed = Real(10);
     m.linearViscosity = Real(0.06);
     m.quadraticViscosity = Real(1.2);
     m.hourglass = Real(0.7);

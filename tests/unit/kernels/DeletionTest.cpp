@@ -13,7 +13,7 @@ using Eroding = Element<GeneralPlasticity, StiffnessHourglass>;
 
 MaterialConstants<double> eroding(double strain, bool inverted)
 {
-    MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, 900);
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress, 900);
     m.general.erodes = true;
     m.general.erosionStrain = strain;
     m.general.erodesInverted = inverted;

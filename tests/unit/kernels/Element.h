@@ -141,11 +141,8 @@ inline double mises(const Matrix& stress)
 
 /// Constants of a material without bulk viscosity that yields at `yieldStress`.
 template <class T = double>
-MaterialConstants<T> materialOf(double young,
-                                double poisson,
-                                double density = 1,
-                                double yieldStress = 1e30,
-                                double plasticModulus = 0)
+MaterialConstants<T>
+materialOf(double young, double poisson, double yieldStress = 1e30, double plasticModulus = 0)
 {
     MaterialConstants<T> m{};
     const double mu = young / (2 * (1 + poisson));
@@ -156,7 +153,6 @@ MaterialConstants<T> materialOf(double young,
     m.pressureWaveModulus = T(lambda + 2 * mu);
     m.young = T(young);
     m.poisson = T(poisson);
-    m.waveSpeed = T(std::sqrt((lambda + 2 * mu) / density));
     m.hourglass = T(1);
     m.rows = 1;
     m.stress[0] = T(yieldStress);

@@ -12,14 +12,14 @@ constexpr double young = 70000, poisson = 0.3, yieldStress = 285;
 /// A material with a straight line of isotropic hardening and a backstress.
 MaterialConstants<double> mixed(double isotropic, double kinematic)
 {
-    MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, isotropic);
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress, isotropic);
     m.general.kinematicModulus = kinematic;
     return m;
 }
 
 MaterialConstants<double> cowperSymonds(double d, double p, double modulus = 0)
 {
-    MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, modulus);
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress, modulus);
     m.general.rateLaw = RateLaw::cowperSymonds;
     m.general.referenceRate = d;
     m.general.rateCoefficient = 1 / p;
@@ -29,7 +29,7 @@ MaterialConstants<double> cowperSymonds(double d, double p, double modulus = 0)
 /// OFHC copper (Johnson and Cook 1983), MPa, s, K.
 MaterialConstants<double> copper()
 {
-    MaterialConstants<double> m = materialOf(124000, 0.34, 8.96e-9, 90, 0);
+    MaterialConstants<double> m = materialOf(124000, 0.34, 90, 0);
     m.general.powerModulus = 292;
     m.general.powerExponent = 0.31;
     m.general.rateLaw = RateLaw::logarithmic;

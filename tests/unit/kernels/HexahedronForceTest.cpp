@@ -117,7 +117,8 @@ TYPED_TEST(HexahedronForce, BulkViscosityResistsAndItsWorkIsBooked)
         // Length: stable step times wave speed, 1/sqrt(3) for a cube; density 1.
         const double length = 1 / std::sqrt(3.0);
         const double squash = std::max(0.0, -volumetricRate) * 1.2 * length;
-        const double viscous = 0.06 * m.waveSpeed * length * volumetricRate - squash * squash;
+        const double viscous =
+            0.06 * std::sqrt(m.pressureWaveModulus) * length * volumetricRate - squash * squash;
         const double elastic = element.state.stress.xx;
         // Force on a corner of the face +x: (stress + viscous) / 4.
         EXPECT_NEAR(4 * element.force(1, 0), elastic + viscous, 1e-5 * std::abs(viscous));

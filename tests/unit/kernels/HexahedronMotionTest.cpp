@@ -23,7 +23,7 @@ Drift spin(int steps)
     const Corners x = warpedHexahedron(random);
     const Vector axis = Vector(1, 2, -0.5).normalized();
     const Matrix stress = randomSymmetric(random, 1);
-    Element<J2Plasticity, PhysicalHourglass, T> element(materialOf<T>(1000, 0.3, 1, 1000), x);
+    Element<J2Plasticity, PhysicalHourglass, T> element(materialOf<T>(1000, 0.3, 1000), x);
     element.state.stress = symmetric<T>(stress);
     const double scale = mises(stress);
     Drift drift;

@@ -72,7 +72,7 @@ void pull(PlasticElement& element, double stretch)
 TEST(J2Plasticity, UniaxialStressFollowsTheHardeningLine)
 {
     for (const double direction : {1.0, -1.0}) {
-        PlasticElement element(materialOf(young, poisson, 1, yieldStress, modulus), brick(1, 2, 3));
+        PlasticElement element(materialOf(young, poisson, yieldStress, modulus), brick(1, 2, 3));
         for (int n = 0; n < 50; ++n) pull(element, 1 + direction * 0.004);
         const double expected = yieldStress + modulus * element.state.equivalentPlasticStrain;
         EXPECT_GT(element.state.equivalentPlasticStrain, 0.15);
@@ -83,7 +83,7 @@ TEST(J2Plasticity, UniaxialStressFollowsTheHardeningLine)
 
 TEST(J2Plasticity, UniaxialStressIsElasticBelowTheYieldStress)
 {
-    PlasticElement element(materialOf(young, poisson, 1, yieldStress, modulus), brick(1, 2, 3));
+    PlasticElement element(materialOf(young, poisson, yieldStress, modulus), brick(1, 2, 3));
     const double stretch = 1 + 0.99 * yieldStress / young;
     pull(element, stretch);
     EXPECT_EQ(element.state.equivalentPlasticStrain, 0);
@@ -94,7 +94,7 @@ TEST(J2Plasticity, UniaxialStressIsElasticBelowTheYieldStress)
 
 TEST(J2Plasticity, PureShearYieldsAtTheYieldStressOverRootThree)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, modulus);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress, modulus);
     const double atYield = yieldStress / std::sqrt(3.0);
     const auto sheared = [&](double stress) {
         Matrix strain = Matrix::Zero();
@@ -149,7 +149,7 @@ TEST(J2Plasticity, EndsOnTheTableFromAnyRow)
 
 TEST(J2Plasticity, AnElasticStressIsKeptToTheLastBit)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
     std::mt19937 random(18);
     const Sym3<double> before = symmetric(randomSymmetric(random, 0.2 * yieldStress));
     Sym3<double> stress = before;
@@ -162,7 +162,7 @@ TEST(J2Plasticity, AnElasticStressIsKeptToTheLastBit)
 
 TEST(J2Plasticity, AStressFreePointStaysFiniteEvenInFloat)
 {
-    const MaterialConstants<float> m = materialOf<float>(70000, 0.3, 1, 285);
+    const MaterialConstants<float> m = materialOf<float>(70000, 0.3, 285);
     Sym3<float> stress{};
     const PlasticStep<float> step = radialReturn<float>(m, 0.0f, 0.0f, stress);
     EXPECT_EQ(step.strainIncrement, 0);
@@ -171,7 +171,7 @@ TEST(J2Plasticity, AStressFreePointStaysFiniteEvenInFloat)
 
 TEST(J2Plasticity, KeepsThePressureAndTheDirectionOfTheDeviator)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, modulus);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress, modulus);
     std::mt19937 random(19);
     const Matrix trial = randomSymmetric(random, 2000);
     Sym3<double> stress = symmetric(trial);
@@ -187,7 +187,7 @@ TEST(J2Plasticity, KeepsThePressureAndTheDirectionOfTheDeviator)
 
 TEST(J2Plasticity, MembraneAndBendingShareTheLimitSurfaceOfASolidSection)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
     std::mt19937 random(20);
     for (int i = 0; i < 100; ++i) {
         const Matrix trial = randomSymmetric(random, 500);

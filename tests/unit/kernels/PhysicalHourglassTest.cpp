@@ -44,7 +44,7 @@ Eigen::Vector2d moments(const Corners& x, const Corners& force)
 
 MaterialConstants<double> coupled(double yieldStress, double modulus)
 {
-    MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, modulus);
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress, modulus);
     m.coupledHourglass = 1;
     return m;
 }
@@ -212,7 +212,7 @@ TEST(PhysicalHourglass, LayersOfASectionTendToItsPlasticMoment)
     // without change of volume, each in uniaxial stress but for a pressure that plays no part.
     const double yieldStress = 2.85, steady = 0.499;
     const double atYield = 2 * yieldStress / (young * s3), plastic = yieldStress * s3 * s3 / 4 * s2;
-    MaterialConstants<double> m = materialOf(young, steady, 1, yieldStress, 1e-6);
+    MaterialConstants<double> m = materialOf(young, steady, yieldStress, 1e-6);
     m.coupledHourglass = 1;
     for (const int layers : {1, 2, 3, 4, 7}) {
         const Corners x = brick(s1, s2, s3 / layers);
@@ -257,7 +257,7 @@ TEST(PhysicalHourglass, WithoutCouplingBendingStaysElastic)
 {
     const Corners x = brick(s1, s2, s3);
     const double yieldStress = 285, curvature = 5 * 2 * yieldStress / (young * s3);
-    Bent element(materialOf(young, poisson, 1, yieldStress, 1e-6), x);
+    Bent element(materialOf(young, poisson, yieldStress, 1e-6), x);
     element.advance(x + bent(x, curvature, -poisson * curvature));
     const double elastic = young * s2 * s3 * s3 * s3 / 12 * curvature;
     EXPECT_NEAR(moments(x, element.force)[0], elastic, 0.01 * elastic);

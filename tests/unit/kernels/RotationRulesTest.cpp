@@ -36,7 +36,7 @@ template <class T = double>
 MaterialConstants<T> generalMaterial(
     RotationRule rule, double young, double poisson, double yield = 1e30, double modulus = 0)
 {
-    MaterialConstants<T> m = materialOf<T>(young, poisson, 1, yield, modulus);
+    MaterialConstants<T> m = materialOf<T>(young, poisson, yield, modulus);
     m.general.rotation = rule;
     if (yield >= 1e30) m.rows = 0;
     return m;

@@ -44,7 +44,7 @@ Matrix sized(std::mt19937& random, double ratio, double size)
 
 TEST(SectionFlow, FollowsTheNormalOfTheLimitSurface)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
     std::mt19937 random(31);
     int curved = 0, edges = 0;
     for (int i = 0; i < 200; ++i) {
@@ -74,7 +74,7 @@ TEST(SectionFlow, FollowsTheNormalOfTheLimitSurface)
 
 TEST(SectionFlow, StaysOnTheSurfaceHoweverFarTheTrialIs)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
     std::mt19937 random(32);
     for (int i = 0; i < 200; ++i) {
         const double ratio = std::pow(10, uniform(random, -3, 3));
@@ -90,7 +90,7 @@ TEST(SectionFlow, StaysOnTheSurfaceHoweverFarTheTrialIs)
 
 TEST(SectionFlow, WithoutBendingItIsTheRadialReturn)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, 900);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress, 900);
     std::mt19937 random(33);
     const Matrix trial = randomSymmetric(random, 2000);
     Sym3<double> radial = symmetric(trial);
@@ -103,7 +103,7 @@ TEST(SectionFlow, WithoutBendingItIsTheRadialReturn)
 
 TEST(SectionFlow, AnElasticSectionIsKeptToTheLastBit)
 {
-    const MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress);
+    const MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
     std::mt19937 random(34);
     const Matrix trial = sized(random, 0.7, 0.9 * yieldStress);
     const Flow flow = flowFrom(m, trial, 0.7 * mises(trial), young);

@@ -9,7 +9,7 @@ using namespace fpm::test;
 TEST(TangentHourglass, ForcesFollowTheTangentWhileTheElementFlows)
 {
     const double young = 70000, poisson = 0.3, yieldStress = 285, modulus = 7000;
-    MaterialConstants<double> m = materialOf(young, poisson, 1, yieldStress, modulus);
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress, modulus);
     m.general.tangentHourglass = true;
     const auto bendingForce = [&](bool flowing) {
         Element<GeneralPlasticity, PhysicalHourglass> element(m, brick(1, 1, 1));
