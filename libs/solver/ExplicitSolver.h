@@ -61,6 +61,7 @@ private:
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
     void moveBodies();
+    void followDeletions();
     void endPressures(const std::vector<bool>& deleted);
     void renewContact(const std::vector<bool>& deleted);
     void renewPair(std::size_t pair, const PairRenewal& from);
@@ -162,11 +163,8 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         }
         executor_.synchronize();
         now = clock();
-        if (now.deletions == deletions_) continue;
+        if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
-        const std::vector<bool> deleted = elementValues().deleted;
-        endPressures(deleted);
-        if (erosion_) renewContact(deleted);
     }
     times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
 }

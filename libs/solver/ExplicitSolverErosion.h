@@ -5,11 +5,20 @@
 
 namespace fpm {
 
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::followDeletions()
+{
+    const bool presses = !data_.pressureFaceCondition.empty();
+    if (!presses && !erosion_) return;
+    const std::vector<bool> deleted = elementValues().deleted;
+    if (presses) endPressures(deleted);
+    if (erosion_) renewContact(deleted);
+}
+
 /// Sides of deleted elements bear no pressure from the next step on.
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::endPressures(const std::vector<bool>& deleted)
 {
-    if (data_.pressureFaceCondition.empty()) return;
     for (std::size_t face = 0; face < data_.pressureFaceElement.size(); ++face)
         if (deleted[std::size_t(data_.pressureFaceElement[face])])
             data_.pressureFaceCondition[face] = -1;
