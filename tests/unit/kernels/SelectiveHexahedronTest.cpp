@@ -374,3 +374,25 @@ TEST(SelectiveHexahedron, ItsStepShrinksWithBulkViscosity)
                  c2 = 4 * 0.06 * std::sqrt(m.pressureWaveModulus) / length;
     EXPECT_NEAR(damped * damped / (free * free) + c2 * damped / 2, 1, 1e-12);
 }
+
+TEST(SelectiveHexahedron, OneLayerBearsTwoThirdsOfThePlasticMoment)
+{
+    // Plane strain: the section bears 2/sqrt(3) sigma_y h^2 / 4. An element whose mean dilatation
+    // is one number cannot thin where it stretches and thicken where it shortens: its strain
+    // deviator in bending is (2, -1, -1) / 3 in place of (1, -1, 0), and its two points lie at h /
+    // sqrt(12).
+    const double yield = 1, height = 2, slice = 0.01; // short: no shear of the trilinear shape
+    const Corners start = brick(slice, 1, height);
+    Corners bent = Corners::Zero();
+    for (int i = 0; i < 8; ++i) bent(i, 0) = start(i, 0) * start(i, 2);
+    Selective<> element(materialOf(1e4, 0.3, yield), start);
+    const double curvature = 2e-6;
+    double before = 0;
+    for (int step = 1; step <= 1000; ++step) {
+        before = element.work;
+        element.advance(start + step * curvature * bent);
+    }
+    const double moment = (element.work - before) / (curvature * slice),
+                 whole = 2 / std::sqrt(3) * yield * height * height / 4;
+    EXPECT_NEAR(moment / whole, 2.0 / 3, 1e-3);
+}
