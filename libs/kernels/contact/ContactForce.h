@@ -130,11 +130,23 @@ private:
         }
         const Vec3<Work> way = origin.face == face
                                    ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                                   : slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
-                                                      origin.xi, origin.eta, at.offset);
+                                   : wayAcross(i, face, origin, at);
         const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         return frame.vector(held, at.normal);
+    }
+
+    /// Way over the target in a step in which the contactor came to another face: that of the foot,
+    /// as on one face. Inside a ridge the foot leaps to the other side where that becomes the
+    /// nearer one; nobody went there, and the nodes' own way counts.
+    FPM_KERNEL Vec3<Work>
+    wayAcross(Index i, Index face, const Origin& origin, const Projection<Work>& at) const
+    {
+        const Vec3<Work> foot = slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
+                                                 origin.xi, origin.eta, at.offset),
+                         node = relativeWay(i, face, at);
+        const bool leapt = dot(foot, foot) > Work(4) * dot(node, node);
+        return leapt ? node : foot;
     }
 
     /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The

@@ -127,6 +127,7 @@ private:
                              int partners) const
     {
         if (partners > mostPartners) return aroundIntricate; // too many to tell
+        if (found.count == 0) return aroundCurved; // in touch deeper than the search looks
         Around result = aroundFlat;
         for (int p = 0; partners > 1 && p < partners; ++p)
             for (int k = 0; k < found.count; ++k) {
