@@ -108,7 +108,7 @@ struct DeviceState {
     Of<Position> position;
     Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
-    Of<Index> conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
+    Of<Index> listedNodes, conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
         pressureSlots;
     Of<ConditionUse> uses;
     Of<Condition> conditions;
@@ -142,6 +142,7 @@ struct DeviceState {
           inverseMass(inverses(data.nodeMass)),
           lastForce(data.relaxation.tolerance > 0 ? 3 * std::size_t(data.nodeCount) : 0),
           fixed(data.fixed),
+          listedNodes(data.listedNodes),
           conditionStart(data.conditionStart),
           frameOf(data.frameOf),
           pressureFaceNode(data.pressureFaceNode),
@@ -194,7 +195,7 @@ struct DeviceState {
             + slotNode.bytes() + slotCornerStart.bytes() + nodeSlotStart.bytes() + nodeSlots.bytes()
             + elementMass.bytes() + state.bytes() + slotForce.bytes() + plasticStrain.bytes()
             + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
-            + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
+            + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
             + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
             + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
             + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()

@@ -98,7 +98,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
                                                     Executor executor,
                                                     std::string description,
                                                     bool audit)
-    : data_(makeSolverData(model)),
+    : data_(makeSolverData(model, audit)),
       massDamping_(model.control.massDamping),
       midStepStrain_(model.control.midStepStrain),
       executor_(std::move(executor)),
@@ -191,7 +191,12 @@ void ExplicitSolver<Precision, Executor>::integrate()
                                   rules_,
                                   state_.clock.data()};
         executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
-        executor_.parallelBlocks(nodeBlocks(), nodeScratch(), nodePass());
+        NodePass<Precision> nodes = nodePass();
+        if (data_.sharesNodes) {
+            nodes.list = state_.listedNodes.data();
+            nodes.nodeCount = Index(state_.listedNodes.size());
+        }
+        executor_.parallelBlocks(Index(state_.blocks(nodes.nodeCount)), nodeScratch(), nodes);
         if (!data_.body.bodies.empty()) moveBodies();
     });
 }
@@ -251,9 +256,8 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .corners = state_.corners.data(),
         .slotCornerStart = state_.slotCornerStart.data(),
         .slotCorners = state_.slotCorners.data(),
-        .position = state_.position.data(),
-        .velocity = state_.velocity.data(),
-        .nodeStride = std::size_t(data_.nodeCount),
+        .nodes = {state_.position.data(), state_.velocity.data(), state_.inverseMass.data(),
+                  state_.fixed.data(), std::size_t(data_.nodeCount)},
         .mass = state_.elementMass.data(),
         .state = state_.state.data(),
         .plasticStrain = state_.plasticStrain.data(),
@@ -272,6 +276,7 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
 {
     auto& s = const_cast<DeviceState<Precision, Executor>&>(state_);
     return {.nodeCount = data_.nodeCount,
+            .list = nullptr,
             .position = s.position.data(),
             .velocity = s.velocity.data(),
             .inverseMass = s.inverseMass.data(),

@@ -135,7 +135,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + 15) / 16 * 16;
         data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
-                                patch.part, data.stateSize, data.strainCount});
+                                0, patch.part, data.stateSize, data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
         data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
@@ -216,7 +216,41 @@ void addRelaxation(SolverData& data, const Model& model)
 
 } // namespace
 
-SolverData makeSolverData(const Model& model)
+void shareNodes(SolverData& data)
+{
+    std::vector<bool> interior(std::size_t(data.nodeCount), false);
+    for (const KernelGroup& group : data.groups)
+        for (const Index number : group.patches) {
+            PatchHeader& patch = data.patches[std::size_t(number)];
+            const Index* node = data.slotNode.data() + patch.firstSlot;
+            const auto alone = [&](Index i) {
+                const std::size_t n = std::size_t(node[i]);
+                return node[i] == node[0] + i
+                       && data.nodeSlotStart[n + 1] == data.nodeSlotStart[n] + 1;
+            };
+            patch.interiorCount = 0;
+            while (patch.interiorCount < patch.nodeCount && alone(patch.interiorCount))
+                interior[std::size_t(node[patch.interiorCount++])] = true;
+        }
+    data.listedNodes.clear();
+    for (std::size_t node = 0; node < interior.size(); ++node) {
+        std::uint8_t& fixed = data.fixed[node];
+        fixed &= std::uint8_t(~listedNode);
+        const auto has = [=](const std::vector<Index>& start) {
+            return !start.empty() && start[node + 1] > start[node];
+        };
+        const auto numbered = [=](const std::vector<Index>& number) {
+            return !number.empty() && number[node] >= 0;
+        };
+        const bool acted = fixed || has(data.conditionStart) || has(data.pressureStart)
+                           || numbered(data.frameOf) || numbered(data.contactNumber);
+        if ((interior[node] && !acted) || (fixed & bodyNode)) continue;
+        fixed |= listedNode;
+        data.listedNodes.push_back(Index(node));
+    }
+}
+
+SolverData makeSolverData(const Model& model, bool audit)
 {
     SolverData data;
     data.nodeCount = Index(model.mesh.points.size());
@@ -234,6 +268,10 @@ SolverData makeSolverData(const Model& model)
     if (!model.contactPairs.empty()) addContact(data, model);
     addRelaxation(data, model);
     addLoadedBodyNodes(data);
+    // Works of all nodes and the sums of relaxation are blocks of all nodes in a row.
+    data.sharesNodes = model.control.assembly == Assembly::patch && !audit
+                       && !(model.control.massDamping > 0) && !(data.relaxation.tolerance > 0);
+    if (data.sharesNodes) shareNodes(data);
     return data;
 }
 

@@ -85,7 +85,9 @@ struct SolverData {
     std::size_t scaledElements = 0;
     RelaxationRules relaxation;  ///< tolerance 0: none
     std::vector<Point> velocity; ///< initial
-    std::vector<std::uint8_t> fixed;
+    std::vector<std::uint8_t> fixed; ///< see InteriorNodes
+    bool sharesNodes = false;        ///< patches move their interior nodes themselves, and
+    std::vector<Index> listedNodes;  ///< NodePass only these
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
     std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
@@ -122,8 +124,11 @@ struct SolverData {
     std::vector<Index> elementPlace, elementPatch;
 };
 
-/// Builds the data of a validated model. Throws Error(mesh) for an element without volume.
-SolverData makeSolverData(const Model& model);
+/// Builds the data of a validated model. Throws Error(mesh) for an element without volume. `audit`:
+/// see makeSolver.
+SolverData makeSolverData(const Model& model, bool audit = false);
+/// Which nodes each patch moves itself, and listedNodes; at the end, and when contact has changed.
+void shareNodes(SolverData& data);
 /// Conditions, initial velocities and bodies of makeSolverData; after masses, before contact.
 void addMotion(SolverData& data, const Model& model);
 /// Bodies of rigidFree parts. `numbers`: condition of each boundary condition, -1 for fixed.

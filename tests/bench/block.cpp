@@ -1,7 +1,7 @@
 // Speed of the element and particle solvers: a block of n^3 elastoplastic hexahedra, random initial
 // velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats,
 // of the wall and of the processor (all threads together).
-// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective]
+// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective] [assembly]
 
 #include "solver/Solver.h"
 #include "support/solverModel.h"
@@ -41,6 +41,7 @@ int main(int argc, char** argv)
     control.precision = precision == "mixed"    ? Precision::mixed
                         : precision == "single" ? Precision::single
                                                 : Precision::double_;
+    if (word(9, "patch") == "gather") control.assembly = Assembly::gather;
     const auto solver = makeSolver(model);
     solver->start();
     solver->advance(1, 3);

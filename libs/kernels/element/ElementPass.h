@@ -3,9 +3,8 @@
 #include "kernels/BlockSum.h"
 #include "kernels/element/SelectiveHexahedron.h"
 #include "kernels/element/StateLayout.h"
-#include "kernels/particle/StepClock.h"
+#include "kernels/particle/InteriorNodes.h"
 #include "parallel/Atomic.h"
-#include "parallel/Precision.h"
 
 namespace fpm {
 
@@ -16,6 +15,7 @@ struct PatchHeader {
     Index elementCount, stride;
     Index tile; ///< padded elements in all patches before
     Index firstSlot, nodeCount;
+    Index interiorCount; ///< first of its nodes, numbered in a row, that its kernel moves
     Index material;
     std::size_t state, strains; ///< where the state of the patch begins (StateLayout)
 };
@@ -32,9 +32,10 @@ constexpr std::size_t elementScratch(std::size_t nodes)
            + blockSumScratch(elementSums);
 }
 
-/// Stress update and internal force of the elements of one patch: loads the patch's nodes into
-/// scratch, works the elements, and sums their corner forces per node in ascending element order.
-/// Boundary nodes get one partial sum a patch; the node pass adds those in patch order.
+/// One step of a patch: moves its interior nodes by the forces it has kept of them, then updates
+/// stress and internal force of its elements: loads the patch's nodes into scratch, works the
+/// elements, and sums their corner forces per node in ascending element order. Boundary nodes get
+/// one partial sum a patch; the node pass adds those in patch order.
 /// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
 template <class Precision, class Material, class Hourglass>
 struct ElementPass {
@@ -50,9 +51,7 @@ struct ElementPass {
     const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
     const Index* slotCornerStart;
     const std::uint16_t* slotCorners; ///< corner * 256 + element, ascending element
-    const Position* position;         ///< three planes, nodeStride apart
-    const Motion* velocity;
-    std::size_t nodeStride;
+    InteriorNodes<Precision> nodes;   ///< all nodes of the model
     const Work* mass;   ///< tiles of 1
     Work* state;        ///< tiles of the part's StateLayout
     Sum* plasticStrain; ///< likewise, with the rises of temperature
@@ -70,14 +69,19 @@ struct ElementPass {
         if (!clock->running) return;
         const Index number = list[block];
         const PatchHeader patch = patches[number];
-        Work* nodes = reinterpret_cast<Work*>(team.scratch());
-        Work* forces = nodes + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
+        Work* places = reinterpret_cast<Work*>(team.scratch());
+        Work* forces = places + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
         Work* sums = forces + 24 * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
-        loadNodes(team, patch, nodes);
+        if (patch.interiorCount > 0 && clock->steps > 0) { // forces are known after the start
+            nodes.advance(team, std::size_t(slotNode[patch.firstSlot]), patch.interiorCount,
+                          slotForce + patch.firstSlot, slotStride, *clock);
+            team.barrier();
+        }
+        loadNodes(team, patch, places);
         team.barrier();
-        workElements(team, patch, nodes, forces, sums);
+        workElements(team, patch, places, forces, sums);
         team.barrier();
         gatherForces(team, patch, forces);
         const Index count = patch.elementCount;
@@ -109,17 +113,17 @@ private:
     /// Coordinates relative to the patch's first node, and increments: the only place where
     /// positions are read, subtracted in Position and kept in Work.
     template <class Team>
-    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* nodes) const
+    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* places) const
     {
         const Index* slots = slotNode + patch.firstSlot;
         const Index count = patch.nodeCount;
-        const std::size_t origin = std::size_t(slots[0]), planes = nodeStride;
+        const std::size_t origin = std::size_t(slots[0]), planes = nodes.nodeStride;
         const Motion dt = Motion(clock->step);
-        const Position* x = position;
-        const Motion* v = velocity;
+        const Position* x = nodes.position;
+        const Motion* v = nodes.velocity;
         team.forEach(count, [=](Index i) {
             const std::size_t node = std::size_t(slots[i]);
-            Work *place = nodes + 4 * i, *increment = nodes + 4 * (count + i);
+            Work *place = places + 4 * i, *increment = places + 4 * (count + i);
             for (int c = 0; c < 3; ++c) {
                 const std::size_t plane = c * planes;
                 place[c] = difference<Work>(x[plane + node], x[plane + origin]);
@@ -131,7 +135,7 @@ private:
     template <class Team>
     FPM_KERNEL void workElements(const Team& team,
                                  const PatchHeader& patch,
-                                 const Work* nodes,
+                                 const Work* places,
                                  Work* forces,
                                  Work* sums) const
     {
@@ -142,8 +146,8 @@ private:
         const std::size_t tile = std::size_t(patch.tile);
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
-            loadModes(nodes, corners + 8 * tile + e, stride, x);
-            loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
+            loadModes(places, corners + 8 * tile + e, stride, x);
+            loadModes(places + 4 * count, corners + 8 * tile + e, stride, w);
             const ElementStep<T> step =
                 updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
@@ -202,10 +206,10 @@ private:
 
     template <class T>
     FPM_KERNEL static void
-    loadModes(const Work* nodes, const std::uint16_t* corner, Index stride, Modes<T>& out)
+    loadModes(const Work* places, const std::uint16_t* corner, Index stride, Modes<T>& out)
     {
         T x[8], y[8], z[8], m[8];
-        for (int i = 0; i < 8; ++i) gather<T>(nodes, corner + i * stride, x[i], y[i], z[i]);
+        for (int i = 0; i < 8; ++i) gather<T>(places, corner + i * stride, x[i], y[i], z[i]);
         toModes(x, m);
         for (int k = 1; k < 8; ++k) out.mode[k].x = m[k];
         toModes(y, m);

@@ -3,9 +3,7 @@
 #include "kernels/BlockSum.h"
 #include "kernels/contact/ForceSum.h"
 #include "kernels/particle/Amplitude.h"
-#include "kernels/particle/LeapFrog.h"
-#include "kernels/particle/StepClock.h"
-#include "parallel/Precision.h"
+#include "kernels/particle/InteriorNodes.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
@@ -27,9 +25,6 @@ enum NodeWork {
     nodeWorks
 };
 
-/// Bit of NodePass::fixed: a rigid body moves the node, NodePass leaves it alone.
-inline constexpr std::uint8_t bodyNode = 8;
-
 constexpr std::size_t nodeScratch()
 {
     return nodeWorks * nodeBlock * sizeof(double) + blockSumScratch(nodeWorks);
@@ -44,6 +39,7 @@ struct NodePass {
     using Work = typename Precision::Work;
 
     Index nodeCount;
+    const Index* list;  ///< the nodes, null: all
     Position* position; ///< three planes, nodeStride apart
     Motion* velocity;
     const Motion* inverseMass;
@@ -52,7 +48,7 @@ struct NodePass {
     const Index* slots;
     const Work* slotForce;
     std::size_t slotStride;
-    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode
+    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode (left alone)
     const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
@@ -79,7 +75,9 @@ struct NodePass {
         double* partial = values + nodeWorks * nodeBlock;
         const Index first = block * nodeBlock;
         const Index count = nodeCount - first < nodeBlock ? nodeCount - first : nodeBlock;
-        team.forEach(count, [&](Index i) { advance(first + i, values + i); });
+        team.forEach(count, [&](Index i) {
+            advance(list ? list[first + i] : first + i, values + i);
+        });
         if (!ledger) return;
         team.barrier();
         blockSums(team, nodeWorks, count, values, nodeBlock, partial);
