@@ -102,8 +102,8 @@ struct DeviceState {
     Of<MaterialConstants<Work>> materials;
     std::vector<Of<Index>> groupPatches;
     Of<std::uint16_t> corners, slotCorners;
-    Of<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
-    Of<Work> elementMass, state, slotForce;
+    Of<Index> slotNode, slotCornerStart, partialSumsStart, partialSums;
+    Of<Work> elementMass, state, interiorForce, partialForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
     Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
@@ -131,11 +131,12 @@ struct DeviceState {
           slotCorners(data.slotCorners),
           slotNode(data.slotNode),
           slotCornerStart(data.slotCornerStart),
-          nodeSlotStart(data.nodeSlotStart),
-          nodeSlots(data.nodeSlots),
+          partialSumsStart(data.partialSumsStart),
+          partialSums(data.partialSums),
           elementMass(converted<Work>(data.elementMass)),
           state(data.stateSize),
-          slotForce(3 * std::size_t(data.slotCount)),
+          interiorForce(3 * std::size_t(data.nodeCount)),
+          partialForce(4 * std::size_t(data.partialSumCount)),
           plasticStrain(data.strainCount),
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
@@ -192,8 +193,8 @@ struct DeviceState {
     {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
-            + slotNode.bytes() + slotCornerStart.bytes() + nodeSlotStart.bytes() + nodeSlots.bytes()
-            + elementMass.bytes() + state.bytes() + slotForce.bytes() + plasticStrain.bytes()
+            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes() + partialSums.bytes()
+            + elementMass.bytes() + state.bytes() + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
             + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
             + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
             + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()

@@ -257,17 +257,17 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .slotCornerStart = state_.slotCornerStart.data(),
         .slotCorners = state_.slotCorners.data(),
         .nodes = {state_.position.data(), state_.velocity.data(), state_.inverseMass.data(),
-                  state_.fixed.data(), std::size_t(data_.nodeCount)},
+                  state_.fixed.data(), std::size_t(data_.nodeCount), state_.interiorForce.data()},
         .mass = state_.elementMass.data(),
         .state = state_.state.data(),
         .plasticStrain = state_.plasticStrain.data(),
-        .slotForce = state_.slotForce.data(),
-        .slotStride = std::size_t(data_.slotCount),
+        .partialForce = state_.partialForce.data(),
         .patchEnergy = state_.patchEnergy.data(),
         .patchStep = state_.patchStep.data(),
         .clock = state_.clock.data(),
         .deletions = &state_.clock.data()->deletions,
-        .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0)};
+        .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0),
+        .movesInterior = data_.sharesNodes};
     executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
 }
 
@@ -281,10 +281,10 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
             .velocity = s.velocity.data(),
             .inverseMass = s.inverseMass.data(),
             .nodeStride = std::size_t(data_.nodeCount),
-            .slotStart = s.nodeSlotStart.data(),
-            .slots = s.nodeSlots.data(),
-            .slotForce = s.slotForce.data(),
-            .slotStride = std::size_t(data_.slotCount),
+            .interiorForce = s.interiorForce.data(),
+            .partialSumsStart = s.partialSumsStart.data(),
+            .partialSums = s.partialSums.data(),
+            .partialForce = s.partialForce.data(),
             .fixed = s.fixed.data(),
             .contactNode = s.contactNumber.data(),
             .contactForce = s.contactSum.data(),

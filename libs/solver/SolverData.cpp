@@ -114,13 +114,20 @@ StateLayout stateLayout(const Part& part)
     return layout;
 }
 
+/// Interior nodes as PatchHeader has them. renumber() numbers all of them in a row; one that is not
+/// is like a node of several patches, with one of them.
+Index interiorCount(const Patches& patches, const Patch& patch)
+{
+    const Index* node = patches.slotNode.data() + patch.firstSlot;
+    Index count = 0;
+    while (count < patch.interiorCount && node[count] == node[0] + count) ++count;
+    return count;
+}
+
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
 {
     data.slotNode = patches.slotNode;
     data.slotCornerStart = patches.slotCornerStart;
-    data.nodeSlotStart = patches.nodeSlotStart;
-    data.nodeSlots = patches.nodeSlots;
-    data.slotCount = Index(patches.slotNode.size());
     for (const std::uint16_t entry : patches.slotCorners)
         data.slotCorners.push_back(std::uint16_t((entry & 7) * patchCapacity + (entry >> 3)));
     data.elementTile.resize(std::size_t(data.elementCount));
@@ -135,7 +142,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + 15) / 16 * 16;
         data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
-                                0, patch.part, data.stateSize, data.strainCount});
+                                interiorCount(patches, patch), 0, patch.part, data.stateSize, data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
         data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
@@ -158,6 +165,26 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
         tile += stride;
     }
     data.paddedElements = tile;
+}
+
+/// Partial sums of force: one for every node of a patch that is not interior; those of a node in
+/// the order of patches.
+void addPartialSums(SolverData& data, const Patches& patches)
+{
+    std::vector<Index> sumOf(patches.slotNode.size(), -1);
+    for (PatchHeader& patch : data.patches) {
+        patch.firstPartialSum = data.partialSumCount;
+        for (Index i = patch.interiorCount; i < patch.nodeCount; ++i)
+            sumOf[std::size_t(patch.firstSlot + i)] = data.partialSumCount++;
+    }
+    data.partialSumsStart.assign(1, 0);
+    for (std::size_t node = 0; node < std::size_t(data.nodeCount); ++node) {
+        for (Index k = patches.nodeSlotStart[node]; k < patches.nodeSlotStart[node + 1]; ++k) {
+            const Index sum = sumOf[std::size_t(patches.nodeSlots[std::size_t(k)])];
+            if (sum >= 0) data.partialSums.push_back(sum);
+        }
+        data.partialSumsStart.push_back(Index(data.partialSums.size()));
+    }
 }
 
 void addGroups(SolverData& data, const Model& model)
@@ -221,16 +248,9 @@ void shareNodes(SolverData& data)
     std::vector<bool> interior(std::size_t(data.nodeCount), false);
     for (const KernelGroup& group : data.groups)
         for (const Index number : group.patches) {
-            PatchHeader& patch = data.patches[std::size_t(number)];
-            const Index* node = data.slotNode.data() + patch.firstSlot;
-            const auto alone = [&](Index i) {
-                const std::size_t n = std::size_t(node[i]);
-                return node[i] == node[0] + i
-                       && data.nodeSlotStart[n + 1] == data.nodeSlotStart[n] + 1;
-            };
-            patch.interiorCount = 0;
-            while (patch.interiorCount < patch.nodeCount && alone(patch.interiorCount))
-                interior[std::size_t(node[patch.interiorCount++])] = true;
+            const PatchHeader& patch = data.patches[std::size_t(number)];
+            for (Index i = 0; i < patch.interiorCount; ++i)
+                interior[std::size_t(data.slotNode[std::size_t(patch.firstSlot + i)])] = true;
         }
     data.listedNodes.clear();
     for (std::size_t node = 0; node < interior.size(); ++node) {
@@ -260,7 +280,9 @@ SolverData makeSolverData(const Model& model, bool audit)
         data.erodes |= data.materials.back().general.erodes;
         data.heats |= data.materials.back().general.heatPerWork > 0;
     }
-    addPatches(data, model, makePatches(model.mesh));
+    const Patches patches = makePatches(model.mesh);
+    addPatches(data, model, patches);
+    addPartialSums(data, patches);
     addGroups(data, model);
     scaleMass(data, model);
     addMass(data, model);

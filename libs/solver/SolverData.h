@@ -69,7 +69,7 @@ struct BodyData {
 
 /// Everything the solver uploads, in double and in the layout of the kernels.
 struct SolverData {
-    Index nodeCount = 0, elementCount = 0, paddedElements = 0, slotCount = 0;
+    Index nodeCount = 0, elementCount = 0, paddedElements = 0, partialSumCount = 0;
     std::size_t maxPatchNodes = 0;
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
@@ -78,7 +78,8 @@ struct SolverData {
     std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
     std::vector<std::uint16_t> corners;         ///< tiles of 8
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
-    std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
+    std::vector<Index> slotNode, slotCornerStart;
+    std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
     std::vector<double> elementMass; ///< tiles of 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
     std::vector<double> ownNodeMass; ///< without: what weighs

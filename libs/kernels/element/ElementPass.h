@@ -15,7 +15,8 @@ struct PatchHeader {
     Index elementCount, stride;
     Index tile; ///< padded elements in all patches before
     Index firstSlot, nodeCount;
-    Index interiorCount; ///< first of its nodes, numbered in a row, that its kernel moves
+    Index interiorCount; ///< its first nodes, numbered in a row: no other patch touches them
+    Index firstPartialSum; ///< one for each of its other nodes
     Index material;
     std::size_t state, strains; ///< where the state of the patch begins (StateLayout)
 };
@@ -55,13 +56,13 @@ struct ElementPass {
     const Work* mass;   ///< tiles of 1
     Work* state;        ///< tiles of the part's StateLayout
     Sum* plasticStrain; ///< likewise, with the rises of temperature
-    Work* slotForce;    ///< three planes, slotStride apart
-    std::size_t slotStride;
+    Work* partialForce; ///< of other than interior nodes, 4 values each
     double* patchEnergy; ///< [patch][elementEnergies], running sums
     double* patchStep;   ///< [patch], stable step
     const StepClock* clock;
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
+    bool movesInterior; ///< rather than NodePass
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
@@ -74,9 +75,9 @@ struct ElementPass {
         Work* sums = forces + 24 * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
-        if (patch.interiorCount > 0 && clock->steps > 0) { // forces are known after the start
+        if (movesInterior && clock->steps > 0) { // forces are known after the start
             nodes.advance(team, std::size_t(slotNode[patch.firstSlot]), patch.interiorCount,
-                          slotForce + patch.firstSlot, slotStride, *clock);
+                          *clock);
             team.barrier();
         }
         loadNodes(team, patch, places);
@@ -325,8 +326,10 @@ private:
     {
         const Index* start = slotCornerStart + patch.firstSlot;
         const std::uint16_t* entries = slotCorners;
-        Work* out = slotForce + patch.firstSlot;
-        const std::size_t planes = slotStride;
+        const Index interior = patch.interiorCount;
+        Work* inside = nodes.force + slotNode[patch.firstSlot];
+        Work* others = partialForce + 4 * (std::size_t(patch.firstPartialSum) - interior);
+        const std::size_t planes = nodes.nodeStride;
         team.forEach(patch.nodeCount, [=](Index i) {
             Work x = 0, y = 0, z = 0;
             for (Index k = start[i]; k < start[i + 1]; ++k) {
@@ -336,9 +339,11 @@ private:
                 y += f[patchCapacity];
                 z += f[2 * patchCapacity];
             }
-            out[i] = x;
-            out[planes + i] = y;
-            out[2 * planes + i] = z;
+            Work* out = i < interior ? inside + i : others + 4 * i;
+            const std::size_t next = i < interior ? planes : 1;
+            out[0] = x;
+            out[next] = y;
+            out[2 * next] = z;
         });
     }
 };

@@ -25,14 +25,13 @@ struct InteriorNodes {
     const Motion* inverseMass;
     const std::uint8_t* fixed; ///< nodes with any bit stay as they are
     std::size_t nodeStride;
+    Work* force; ///< internal, planes like the others; only of nodes of one patch
 
-    /// Nodes first ... first + count - 1; their forces are three planes, slotStride apart.
+    /// Nodes first ... first + count - 1.
     template <class Team>
     FPM_KERNEL void advance(const Team& team,
                             std::size_t first,
                             Index count,
-                            const Work* force,
-                            std::size_t slotStride,
                             const StepClock& clock) const
     {
         const Motion h = Motion(clock.mean), dt = Motion(clock.step);
@@ -41,7 +40,7 @@ struct InteriorNodes {
         for (int c = 0; c < 3; ++c) {
             Position* x = position + c * nodeStride + first;
             Motion* v = velocity + c * nodeStride + first;
-            const Work* f = force + c * slotStride;
+            const Work* f = force + c * nodeStride + first;
             team.forEach(count, [=](Index i) {
                 const bool moves = others[i] == 0;
                 const Motion next =
