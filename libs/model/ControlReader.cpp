@@ -84,6 +84,9 @@ void readMachine(const Dictionary& dictionary, Control& control)
     control.precision = precision == "double"  ? Precision::double_
                         : precision == "mixed" ? Precision::mixed
                                                : Precision::single;
+    control.assembly = dictionary.choiceOr("assembly", "patch", {"patch", "gather"}) == "patch"
+                           ? Assembly::patch
+                           : Assembly::gather;
 }
 
 } // namespace

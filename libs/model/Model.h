@@ -106,6 +106,10 @@ struct ContactPair : ContactLaw {
 
 enum class Precision { double_, mixed, single };
 
+/// Who moves the nodes that belong to one patch of elements alone: its kernel, or, as all others, a
+/// pass over the nodes. Equal bits.
+enum class Assembly { patch, gather };
+
 /// A history of the run: controlDict, functions { ... }.
 struct History {
     enum class Kind { energies, contactForces, point, reaction, rigidBody } kind = Kind::energies;
@@ -135,6 +139,7 @@ struct Control {
     int threads = 0;                ///< 0 = all cores
     std::string simd = "auto";      ///< auto scalar avx2 avx512
     Precision precision = Precision::double_;
+    Assembly assembly = Assembly::patch;
     bool midStepStrain = true; ///< strain at mid-step geometry; false: at its start (paper)
     std::vector<History> histories;
 };

@@ -4,6 +4,7 @@
 #include "parallel/Batch.h"
 
 #include <omp.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -92,8 +93,13 @@ public:
 
     static void* allocate(std::size_t bytes)
     {
-        void* memory = std::aligned_alloc(128, (bytes + 127) / 128 * 128);
+        const std::size_t alignment = bytes >= hugePage ? hugePage : 128;
+        void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
         if (!memory) throw std::bad_alloc();
+#ifdef __linux__
+        // Many arrays are read at once; with small pages their addresses alone fill the TLB.
+        if (bytes >= hugePage) madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
         std::memset(memory, 0, bytes);
         return memory;
     }
@@ -111,6 +117,7 @@ public:
     }
 
 private:
+    static constexpr std::size_t hugePage = std::size_t(2) << 20;
     /// Below this, waking the other threads costs more than they save.
     static constexpr Index smallLoop = 128;
 

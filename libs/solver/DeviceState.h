@@ -101,14 +101,14 @@ struct DeviceState {
     Of<MaterialConstants<Work>> materials;
     std::vector<Of<Index>> groupPatches;
     Of<std::uint16_t> corners, slotCorners;
-    Of<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
-    Of<Work> elementMass, massRatio, state, slotForce;
+    Of<Index> slotNode, slotCornerStart, partialSumsStart, partialSums;
+    Of<Work> elementMass, massRatio, state, interiorForce, partialForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
     Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
-    Of<Index> conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
-        pressureSlots;
+    Of<Index> listedNodes, conditionStart, frameOf, pressureFaceNode, pressureFaceCondition,
+        pressureStart, pressureSlots;
     Of<ConditionUse> uses;
     Of<Condition> conditions;
     Of<Motion> pressureForce;
@@ -130,18 +130,20 @@ struct DeviceState {
           slotCorners(data.slotCorners),
           slotNode(data.slotNode),
           slotCornerStart(data.slotCornerStart),
-          nodeSlotStart(data.nodeSlotStart),
-          nodeSlots(data.nodeSlots),
+          partialSumsStart(data.partialSumsStart),
+          partialSums(data.partialSums),
           elementMass(converted<Work>(data.elementMass)),
           massRatio(converted<Work>(data.massRatio)),
           state(data.stateSize),
-          slotForce(3 * std::size_t(data.slotCount)),
+          interiorForce(3 * std::size_t(data.nodeCount)),
+          partialForce(4 * std::size_t(data.partialSumCount)),
           plasticStrain(data.strainCount),
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),
           inverseMass(inverses(data.nodeMass)),
           lastForce(data.relaxation.tolerance > 0 ? 3 * std::size_t(data.nodeCount) : 0),
           fixed(data.fixed),
+          listedNodes(data.listedNodes),
           conditionStart(data.conditionStart),
           frameOf(data.frameOf),
           pressureFaceNode(data.pressureFaceNode),
@@ -191,10 +193,11 @@ struct DeviceState {
     {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
-            + slotNode.bytes() + slotCornerStart.bytes() + nodeSlotStart.bytes() + nodeSlots.bytes()
-            + elementMass.bytes() + massRatio.bytes() + state.bytes() + slotForce.bytes()
-            + plasticStrain.bytes() + position.bytes() + velocity.bytes() + inverseMass.bytes()
-            + fixed.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
+            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes()
+            + partialSums.bytes() + elementMass.bytes() + massRatio.bytes() + state.bytes()
+            + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
+            + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
+            + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
             + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes()
             + searchPosition.bytes() + contactNodes.bytes() + contactLimit.bytes()
             + contactTravel.bytes() + contactInverseMass.bytes() + blockEnergy.bytes()

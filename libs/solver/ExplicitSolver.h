@@ -99,7 +99,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
                                                     Executor executor,
                                                     std::string description,
                                                     bool audit)
-    : data_(makeSolverData(model)),
+    : data_(makeSolverData(model, audit)),
       massDamping_(model.control.massDamping),
       midStepStrain_(model.control.midStepStrain),
       executor_(std::move(executor)),
@@ -189,7 +189,12 @@ void ExplicitSolver<Precision, Executor>::integrate()
                                   rules_,
                                   state_.clock.data()};
         executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
-        executor_.parallelBlocks(nodeBlocks(), nodeScratch(), nodePass());
+        NodePass<Precision> nodes = nodePass();
+        if (data_.sharesNodes) {
+            nodes.list = state_.listedNodes.data();
+            nodes.nodeCount = Index(state_.listedNodes.size());
+        }
+        executor_.parallelBlocks(Index(state_.blocks(nodes.nodeCount)), nodeScratch(), nodes);
         if (!data_.body.bodies.empty()) moveBodies();
     });
 }
@@ -249,20 +254,19 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .corners = state_.corners.data(),
         .slotCornerStart = state_.slotCornerStart.data(),
         .slotCorners = state_.slotCorners.data(),
-        .position = state_.position.data(),
-        .velocity = state_.velocity.data(),
-        .nodeStride = std::size_t(data_.nodeCount),
+        .nodes = {state_.position.data(), state_.velocity.data(), state_.inverseMass.data(),
+                  state_.fixed.data(), std::size_t(data_.nodeCount), state_.interiorForce.data()},
         .mass = state_.elementMass.data(),
         .massRatio = state_.massRatio.data(),
         .state = state_.state.data(),
         .plasticStrain = state_.plasticStrain.data(),
-        .slotForce = state_.slotForce.data(),
-        .slotStride = std::size_t(data_.slotCount),
+        .partialForce = state_.partialForce.data(),
         .patchEnergy = state_.patchEnergy.data(),
         .patchStep = state_.patchStep.data(),
         .clock = state_.clock.data(),
         .deletions = &state_.clock.data()->deletions,
-        .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0)};
+        .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0),
+        .movesInterior = data_.sharesNodes};
     executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
 }
 
@@ -271,14 +275,15 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
 {
     auto& s = const_cast<DeviceState<Precision, Executor>&>(state_);
     return {.nodeCount = data_.nodeCount,
+            .list = nullptr,
             .position = s.position.data(),
             .velocity = s.velocity.data(),
             .inverseMass = s.inverseMass.data(),
             .nodeStride = std::size_t(data_.nodeCount),
-            .slotStart = s.nodeSlotStart.data(),
-            .slots = s.nodeSlots.data(),
-            .slotForce = s.slotForce.data(),
-            .slotStride = std::size_t(data_.slotCount),
+            .interiorForce = s.interiorForce.data(),
+            .partialSumsStart = s.partialSumsStart.data(),
+            .partialSums = s.partialSums.data(),
+            .partialForce = s.partialForce.data(),
             .fixed = s.fixed.data(),
             .contactNode = s.contactNumber.data(),
             .contactForce = s.contactSum.data(),

@@ -37,6 +37,11 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
         renewPair(pair, compared(pairs[pair], data_.pairs[pair]));
     renewContactNodes(numbers, scale);
+    if (data_.sharesNodes) {
+        shareNodes(data_);
+        state_.fixed.fromHost(data_.fixed);
+        state_.listedNodes = Array<Index, Executor>(data_.listedNodes);
+    }
     searchContact();
 }
 

@@ -113,13 +113,20 @@ StateLayout stateLayout(const Part& part)
     return layout;
 }
 
+/// Interior nodes as PatchHeader has them. renumber() numbers all of them in a row; one that is not
+/// is like a node of several patches, with one of them.
+Index interiorCount(const Patches& patches, const Patch& patch)
+{
+    const Index* node = patches.slotNode.data() + patch.firstSlot;
+    Index count = 0;
+    while (count < patch.interiorCount && node[count] == node[0] + count) ++count;
+    return count;
+}
+
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
 {
     data.slotNode = patches.slotNode;
     data.slotCornerStart = patches.slotCornerStart;
-    data.nodeSlotStart = patches.nodeSlotStart;
-    data.nodeSlots = patches.nodeSlots;
-    data.slotCount = Index(patches.slotNode.size());
     for (const std::uint16_t entry : patches.slotCorners)
         data.slotCorners.push_back(std::uint16_t((entry & 7) * patchCapacity + (entry >> 3)));
     data.elementTile.resize(std::size_t(data.elementCount));
@@ -134,7 +141,7 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + 15) / 16 * 16;
         data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
-                                patch.part, data.stateSize, data.strainCount});
+                                interiorCount(patches, patch), 0, patch.part, data.stateSize, data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
         data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
@@ -157,6 +164,26 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
         tile += stride;
     }
     data.paddedElements = tile;
+}
+
+/// Partial sums of force: one for every node of a patch that is not interior; those of a node in
+/// the order of patches.
+void addPartialSums(SolverData& data, const Patches& patches)
+{
+    std::vector<Index> sumOf(patches.slotNode.size(), -1);
+    for (PatchHeader& patch : data.patches) {
+        patch.firstPartialSum = data.partialSumCount;
+        for (Index i = patch.interiorCount; i < patch.nodeCount; ++i)
+            sumOf[std::size_t(patch.firstSlot + i)] = data.partialSumCount++;
+    }
+    data.partialSumsStart.assign(1, 0);
+    for (std::size_t node = 0; node < std::size_t(data.nodeCount); ++node) {
+        for (Index k = patches.nodeSlotStart[node]; k < patches.nodeSlotStart[node + 1]; ++k) {
+            const Index sum = sumOf[std::size_t(patches.nodeSlots[std::size_t(k)])];
+            if (sum >= 0) data.partialSums.push_back(sum);
+        }
+        data.partialSumsStart.push_back(Index(data.partialSums.size()));
+    }
 }
 
 void addGroups(SolverData& data, const Model& model)
@@ -215,7 +242,34 @@ void addRelaxation(SolverData& data, const Model& model)
 
 } // namespace
 
-SolverData makeSolverData(const Model& model)
+void shareNodes(SolverData& data)
+{
+    std::vector<bool> interior(std::size_t(data.nodeCount), false);
+    for (const KernelGroup& group : data.groups)
+        for (const Index number : group.patches) {
+            const PatchHeader& patch = data.patches[std::size_t(number)];
+            for (Index i = 0; i < patch.interiorCount; ++i)
+                interior[std::size_t(data.slotNode[std::size_t(patch.firstSlot + i)])] = true;
+        }
+    data.listedNodes.clear();
+    for (std::size_t node = 0; node < interior.size(); ++node) {
+        std::uint8_t& fixed = data.fixed[node];
+        fixed &= std::uint8_t(~listedNode);
+        const auto has = [=](const std::vector<Index>& start) {
+            return !start.empty() && start[node + 1] > start[node];
+        };
+        const auto numbered = [=](const std::vector<Index>& number) {
+            return !number.empty() && number[node] >= 0;
+        };
+        const bool acted = fixed || has(data.conditionStart) || has(data.pressureStart)
+                           || numbered(data.frameOf) || numbered(data.contactNumber);
+        if ((interior[node] && !acted) || (fixed & bodyNode)) continue;
+        fixed |= listedNode;
+        data.listedNodes.push_back(Index(node));
+    }
+}
+
+SolverData makeSolverData(const Model& model, bool audit)
 {
     SolverData data;
     data.nodeCount = Index(model.mesh.points.size());
@@ -225,7 +279,9 @@ SolverData makeSolverData(const Model& model)
         data.erodes |= data.materials.back().general.erodes;
         data.heats |= data.materials.back().general.heatPerWork > 0;
     }
-    addPatches(data, model, makePatches(model.mesh));
+    const Patches patches = makePatches(model.mesh);
+    addPatches(data, model, patches);
+    addPartialSums(data, patches);
     addGroups(data, model);
     scaleMass(data, model);
     addMass(data, model);
@@ -233,6 +289,10 @@ SolverData makeSolverData(const Model& model)
     if (!model.contactPairs.empty()) addContact(data, model);
     addRelaxation(data, model);
     addLoadedBodyNodes(data);
+    // Works of all nodes and the sums of relaxation are blocks of all nodes in a row.
+    data.sharesNodes = model.control.assembly == Assembly::patch && !audit
+                       && !(model.control.massDamping > 0) && !(data.relaxation.tolerance > 0);
+    if (data.sharesNodes) shareNodes(data);
     return data;
 }
 

@@ -69,7 +69,7 @@ struct BodyData {
 
 /// Everything the solver uploads, in double and in the layout of the kernels.
 struct SolverData {
-    Index nodeCount = 0, elementCount = 0, paddedElements = 0, slotCount = 0;
+    Index nodeCount = 0, elementCount = 0, paddedElements = 0, partialSumCount = 0;
     std::size_t maxPatchNodes = 0;
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
@@ -78,7 +78,8 @@ struct SolverData {
     std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
     std::vector<std::uint16_t> corners;         ///< tiles of 8
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
-    std::vector<Index> slotNode, slotCornerStart, nodeSlotStart, nodeSlots;
+    std::vector<Index> slotNode, slotCornerStart;
+    std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
     std::vector<double> elementMass; ///< tiles of 1
     std::vector<double> massRatio;   ///< of it to the mass that is heated; empty: 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
@@ -86,7 +87,9 @@ struct SolverData {
     std::size_t scaledElements = 0;
     RelaxationRules relaxation;  ///< tolerance 0: none
     std::vector<Point> velocity; ///< initial
-    std::vector<std::uint8_t> fixed;
+    std::vector<std::uint8_t> fixed; ///< see InteriorNodes
+    bool sharesNodes = false;        ///< patches move their interior nodes themselves, and
+    std::vector<Index> listedNodes;  ///< NodePass only these
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
     std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
@@ -123,8 +126,11 @@ struct SolverData {
     std::vector<Index> elementPlace, elementPatch;
 };
 
-/// Builds the data of a validated model. Throws Error(mesh) for an element without volume.
-SolverData makeSolverData(const Model& model);
+/// Builds the data of a validated model. Throws Error(mesh) for an element without volume. `audit`:
+/// see makeSolver.
+SolverData makeSolverData(const Model& model, bool audit = false);
+/// Which nodes each patch moves itself, and listedNodes; at the end, and when contact has changed.
+void shareNodes(SolverData& data);
 /// Conditions, initial velocities and bodies of makeSolverData; after masses, before contact.
 void addMotion(SolverData& data, const Model& model);
 /// Bodies of rigidFree parts. `numbers`: condition of each boundary condition, -1 for fixed.

@@ -1,6 +1,7 @@
 // Speed of the element and particle solvers: a block of n^3 elastoplastic hexahedra, random initial
-// velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats.
-// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective]
+// velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats,
+// of the wall and of the processor (all threads together).
+// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective] [assembly]
 
 #include "solver/Solver.h"
 #include "support/solverModel.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <random>
 
 using namespace fpm;
@@ -39,21 +41,26 @@ int main(int argc, char** argv)
     control.precision = precision == "mixed"    ? Precision::mixed
                         : precision == "single" ? Precision::single
                                                 : Precision::double_;
+    if (word(9, "patch") == "gather") control.assembly = Assembly::gather;
     const auto solver = makeSolver(model);
     solver->start();
     solver->advance(1, 3);
-    std::vector<double> costs;
+    std::vector<double> costs, work;
     for (int repeat = 0; repeat < repeats; ++repeat) {
         const double before = solver->times().total;
+        const std::clock_t begin = std::clock();
         solver->advance(1, steps);
+        work.push_back(1e9 * double(std::clock() - begin) / CLOCKS_PER_SEC
+                       / (double(steps) * n * n * n));
         costs.push_back(1e9 * (solver->times().total - before) / (double(steps) * n * n * n));
     }
     std::sort(costs.begin(), costs.end());
+    std::sort(work.begin(), work.end());
     const StepTimes& t = solver->times();
     std::printf(
-        "%d^3 %s %s: median %.1f min %.1f ns per element-step (elements %.0f %%, nodes %.0f %%), "
+        "%d^3 %s %s: median %.1f min %.1f ns per element-step (processor: median %.1f min %.1f; elements %.0f %%, nodes %.0f %%), "
         "plastic work %.3g, checksum %016llx\n",
-        int(n), solver->description().c_str(), form.c_str(), costs[costs.size() / 2], costs[0],
+        int(n), solver->description().c_str(), form.c_str(), costs[costs.size() / 2], costs[0], work[work.size() / 2], work[0],
         100 * t.element / t.total, 100 * t.node / t.total, solver->energies().plastic,
         static_cast<unsigned long long>(solver->stateChecksum()));
 }

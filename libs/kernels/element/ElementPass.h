@@ -3,9 +3,8 @@
 #include "kernels/BlockSum.h"
 #include "kernels/element/SelectiveHexahedron.h"
 #include "kernels/element/StateLayout.h"
-#include "kernels/particle/StepClock.h"
+#include "kernels/particle/InteriorNodes.h"
 #include "parallel/Atomic.h"
-#include "parallel/Precision.h"
 
 namespace fpm {
 
@@ -16,6 +15,8 @@ struct PatchHeader {
     Index elementCount, stride;
     Index tile; ///< padded elements in all patches before
     Index firstSlot, nodeCount;
+    Index interiorCount;   ///< its first nodes, numbered in a row: no other patch touches them
+    Index firstPartialSum; ///< one for each of its other nodes
     Index material;
     std::size_t state, strains; ///< where the state of the patch begins (StateLayout)
 };
@@ -32,9 +33,10 @@ constexpr std::size_t elementScratch(std::size_t nodes)
            + blockSumScratch(elementSums);
 }
 
-/// Stress update and internal force of the elements of one patch: loads the patch's nodes into
-/// scratch, works the elements, and sums their corner forces per node in ascending element order.
-/// Boundary nodes get one partial sum a patch; the node pass adds those in patch order.
+/// One step of a patch: moves its interior nodes by the forces it has kept of them, then updates
+/// stress and internal force of its elements: loads the patch's nodes into scratch, works the
+/// elements, and sums their corner forces per node in ascending element order. Boundary nodes get
+/// one partial sum a patch; the node pass adds those in patch order.
 /// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
 template <class Precision, class Material, class Hourglass>
 struct ElementPass {
@@ -50,20 +52,18 @@ struct ElementPass {
     const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
     const Index* slotCornerStart;
     const std::uint16_t* slotCorners; ///< corner * 256 + element, ascending element
-    const Position* position;         ///< three planes, nodeStride apart
-    const Motion* velocity;
-    std::size_t nodeStride;
-    const Work* mass;      ///< tiles of 1
-    const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
-    Work* state;           ///< tiles of the part's StateLayout
-    Sum* plasticStrain;    ///< likewise, with the rises of temperature
-    Work* slotForce;       ///< three planes, slotStride apart
-    std::size_t slotStride;
-    double* patchEnergy; ///< [patch][elementEnergies], running sums
-    double* patchStep;   ///< [patch], stable step
+    InteriorNodes<Precision> nodes;   ///< all nodes of the model
+    const Work* mass;                 ///< tiles of 1
+    const Work* massRatio;            ///< mass over that without mass scaling, which heats; null: 1
+    Work* state;                      ///< tiles of the part's StateLayout
+    Sum* plasticStrain;               ///< likewise, with the rises of temperature
+    Work* partialForce;               ///< of other than interior nodes, 4 values each
+    double* patchEnergy;              ///< [patch][elementEnergies], running sums
+    double* patchStep;                ///< [patch], stable step
     const StepClock* clock;
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
+    bool movesInterior; ///< rather than NodePass
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
@@ -71,14 +71,19 @@ struct ElementPass {
         if (!clock->running) return;
         const Index number = list[block];
         const PatchHeader patch = patches[number];
-        Work* nodes = reinterpret_cast<Work*>(team.scratch());
-        Work* forces = nodes + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
+        Work* places = reinterpret_cast<Work*>(team.scratch());
+        Work* forces = places + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
         Work* sums = forces + 24 * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
-        loadNodes(team, patch, nodes);
+        if (movesInterior && clock->steps > 0) { // forces are known after the start
+            nodes.advance(team, std::size_t(slotNode[patch.firstSlot]), patch.interiorCount,
+                          *clock);
+            team.barrier();
+        }
+        loadNodes(team, patch, places);
         team.barrier();
-        workElements(team, patch, nodes, forces, sums);
+        workElements(team, patch, places, forces, sums);
         team.barrier();
         gatherForces(team, patch, forces);
         const Index count = patch.elementCount;
@@ -110,17 +115,17 @@ private:
     /// Coordinates relative to the patch's first node, and increments: the only place where
     /// positions are read, subtracted in Position and kept in Work.
     template <class Team>
-    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* nodes) const
+    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* places) const
     {
         const Index* slots = slotNode + patch.firstSlot;
         const Index count = patch.nodeCount;
-        const std::size_t origin = std::size_t(slots[0]), planes = nodeStride;
+        const std::size_t origin = std::size_t(slots[0]), planes = nodes.nodeStride;
         const Motion dt = Motion(clock->step);
-        const Position* x = position;
-        const Motion* v = velocity;
+        const Position* x = nodes.position;
+        const Motion* v = nodes.velocity;
         team.forEach(count, [=](Index i) {
             const std::size_t node = std::size_t(slots[i]);
-            Work *place = nodes + 4 * i, *increment = nodes + 4 * (count + i);
+            Work *place = places + 4 * i, *increment = places + 4 * (count + i);
             for (int c = 0; c < 3; ++c) {
                 const std::size_t plane = c * planes;
                 place[c] = difference<Work>(x[plane + node], x[plane + origin]);
@@ -132,7 +137,7 @@ private:
     template <class Team>
     FPM_KERNEL void workElements(const Team& team,
                                  const PatchHeader& patch,
-                                 const Work* nodes,
+                                 const Work* places,
                                  Work* forces,
                                  Work* sums) const
     {
@@ -143,8 +148,8 @@ private:
         const std::size_t tile = std::size_t(patch.tile);
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
-            loadModes(nodes, corners + 8 * tile + e, stride, x);
-            loadModes(nodes + 4 * count, corners + 8 * tile + e, stride, w);
+            loadModes(places, corners + 8 * tile + e, stride, x);
+            loadModes(places + 4 * count, corners + 8 * tile + e, stride, w);
             const ElementStep<T> step =
                 updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
@@ -203,10 +208,10 @@ private:
 
     template <class T>
     FPM_KERNEL static void
-    loadModes(const Work* nodes, const std::uint16_t* corner, Index stride, Modes<T>& out)
+    loadModes(const Work* places, const std::uint16_t* corner, Index stride, Modes<T>& out)
     {
         T x[8], y[8], z[8], m[8];
-        for (int i = 0; i < 8; ++i) gather<T>(nodes, corner + i * stride, x[i], y[i], z[i]);
+        for (int i = 0; i < 8; ++i) gather<T>(places, corner + i * stride, x[i], y[i], z[i]);
         toModes(x, m);
         for (int k = 1; k < 8; ++k) out.mode[k].x = m[k];
         toModes(y, m);
@@ -324,8 +329,10 @@ private:
     {
         const Index* start = slotCornerStart + patch.firstSlot;
         const std::uint16_t* entries = slotCorners;
-        Work* out = slotForce + patch.firstSlot;
-        const std::size_t planes = slotStride;
+        const Index interior = patch.interiorCount;
+        Work* inside = nodes.force + slotNode[patch.firstSlot];
+        Work* others = partialForce + 4 * (std::size_t(patch.firstPartialSum) - interior);
+        const std::size_t planes = nodes.nodeStride;
         team.forEach(patch.nodeCount, [=](Index i) {
             Work x = 0, y = 0, z = 0;
             for (Index k = start[i]; k < start[i + 1]; ++k) {
@@ -335,9 +342,11 @@ private:
                 y += f[patchCapacity];
                 z += f[2 * patchCapacity];
             }
-            out[i] = x;
-            out[planes + i] = y;
-            out[2 * planes + i] = z;
+            Work* out = i < interior ? inside + i : others + 4 * i;
+            const std::size_t next = i < interior ? planes : 1;
+            out[0] = x;
+            out[next] = y;
+            out[2 * next] = z;
         });
     }
 };

@@ -3,9 +3,7 @@
 #include "kernels/BlockSum.h"
 #include "kernels/contact/ForceSum.h"
 #include "kernels/particle/Amplitude.h"
-#include "kernels/particle/LeapFrog.h"
-#include "kernels/particle/StepClock.h"
-#include "parallel/Precision.h"
+#include "kernels/particle/InteriorNodes.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
@@ -27,9 +25,6 @@ enum NodeWork {
     nodeWorks
 };
 
-/// Bit of NodePass::fixed: a rigid body moves the node, NodePass leaves it alone.
-inline constexpr std::uint8_t bodyNode = 8;
-
 constexpr std::size_t nodeScratch()
 {
     return nodeWorks * nodeBlock * sizeof(double) + blockSumScratch(nodeWorks);
@@ -44,15 +39,16 @@ struct NodePass {
     using Work = typename Precision::Work;
 
     Index nodeCount;
+    const Index* list;  ///< the nodes, null: all
     Position* position; ///< three planes, nodeStride apart
     Motion* velocity;
     const Motion* inverseMass;
     std::size_t nodeStride;
-    const Index* slotStart; ///< slots of a node: CSR
-    const Index* slots;
-    const Work* slotForce;
-    std::size_t slotStride;
-    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode
+    const Work* interiorForce;     ///< of the elements, three planes: nodes of one patch
+    const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR
+    const Index* partialSums;
+    const Work* partialForce; ///< x y z and one unused value each
+    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode (left alone)
     const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
@@ -79,7 +75,9 @@ struct NodePass {
         double* partial = values + nodeWorks * nodeBlock;
         const Index first = block * nodeBlock;
         const Index count = nodeCount - first < nodeBlock ? nodeCount - first : nodeBlock;
-        team.forEach(count, [&](Index i) { advance(first + i, values + i); });
+        team.forEach(count, [&](Index i) {
+            advance(list ? list[first + i] : first + i, values + i);
+        });
         if (!ledger) return;
         team.barrier();
         blockSums(team, nodeWorks, count, values, nodeBlock, partial);
@@ -95,11 +93,14 @@ struct NodePass {
     /// Internal force of the elements on a node (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
+        const Index first = partialSumsStart[node], last = partialSumsStart[node + 1];
+        if (first == last)
+            return {Motion(interiorForce[node]), Motion(interiorForce[nodeStride + node]),
+                    Motion(interiorForce[2 * nodeStride + node])};
         Vec3<Motion> sum{0, 0, 0};
-        for (Index k = slotStart[node]; k < slotStart[node + 1]; ++k) {
-            const std::size_t slot = std::size_t(slots[k]);
-            sum += {Motion(slotForce[slot]), Motion(slotForce[slotStride + slot]),
-                    Motion(slotForce[2 * slotStride + slot])};
+        for (Index k = first; k < last; ++k) {
+            const Work* part = partialForce + 4 * std::size_t(partialSums[k]);
+            sum += {Motion(part[0]), Motion(part[1]), Motion(part[2])};
         }
         return sum;
     }

@@ -46,6 +46,7 @@ TEST(ControlReader, NeedsNothingButTheEndTime)
     EXPECT_EQ(control.historyInterval, 0.002);
     EXPECT_EQ(control.timeStepSafety, 0.9);
     EXPECT_EQ(control.backend, "openmp");
+    EXPECT_EQ(control.assembly, Assembly::patch);
     EXPECT_TRUE(control.midStepStrain);
 }
 
@@ -53,13 +54,14 @@ TEST(ControlReader, ReadsWhatIsSaid)
 {
     const Control control =
         read("endTime 2; timeStep { safety 0.5; contactLimit 1; fixed 1e-3; } precision mixed; "
-             "strainGeometry start; threads 3; energyBalance { warning 0.1; stop "
+             "strainGeometry start; assembly gather; threads 3; energyBalance { warning 0.1; stop "
              "0.2; }");
 
     EXPECT_EQ(control.timeStepSafety, 0.5);
     EXPECT_EQ(control.contactStepLimit, 1);
     EXPECT_EQ(control.fixedTimeStep, 1e-3);
     EXPECT_EQ(control.precision, Precision::mixed);
+    EXPECT_EQ(control.assembly, Assembly::gather);
     EXPECT_FALSE(control.midStepStrain);
     EXPECT_EQ(control.threads, 3);
     EXPECT_EQ(control.energyStop, 0.2);
