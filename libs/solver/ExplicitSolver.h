@@ -90,8 +90,9 @@ private:
     double startEnergy_ = 0;
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
-    std::int64_t deletions_ = 0;       ///< those that pressures and contact surfaces know
-    Energies lost_;                    ///< booked for contactors that are none any more
+    std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
+    std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
+    Energies lost_;              ///< booked for contactors that are none any more
 };
 
 template <class Precision, class Executor>
@@ -113,6 +114,8 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
+    rules_.beyondBound = model.control.beyondBound;
+    searchInterval_ = model.control.searchInterval;
     if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const PairData& pair : data_.pairs)
         if (pair.surface < 0) {

@@ -69,6 +69,13 @@ template <class Precision, class Executor>
 std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
                                                             std::int64_t steps)
 {
+    if (searchInterval_ > 0) {
+        if (now.steps >= nextSearch_) {
+            timed(times_.search, [&] { searchContact(); });
+            nextSearch_ = now.steps + searchInterval_;
+        }
+        return std::min(steps, nextSearch_ - now.steps);
+    }
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
         contactBlocks(),
