@@ -37,6 +37,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
         renewPair(pair, compared(pairs[pair], data_.pairs[pair]));
     renewContactNodes(numbers, scale);
+    executor_.forgetSteps();
     searchContact();
 }
 

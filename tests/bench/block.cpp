@@ -49,7 +49,7 @@ int main(int argc, char** argv)
         costs.push_back(1e9 * (solver->times().total - before) / (double(steps) * n * n * n));
     }
     std::sort(costs.begin(), costs.end());
-    const StepTimes& t = solver->times();
+    const StepTimes t = solver->times();
     std::printf(
         "%d^3 %s %s: median %.1f min %.1f ns per element-step (elements %.0f %%, nodes %.0f %%), "
         "plastic work %.3g, checksum %016llx\n",
