@@ -69,9 +69,15 @@ template <class Precision, class Executor>
 std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
                                                             std::int64_t steps)
 {
+    const auto search = [&] {
+        const auto begin = std::chrono::steady_clock::now();
+        searchContact();
+        executor_.synchronize();
+        times_.search += secondsSince(begin);
+    };
     if (searchInterval_ > 0) {
         if (now.steps >= nextSearch_) {
-            timed(times_.search, [&] { searchContact(); });
+            search();
             nextSearch_ = now.steps + searchInterval_;
         }
         return std::min(steps, nextSearch_ - now.steps);
@@ -100,10 +106,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
     };
     const std::int64_t lastsFor = lasting(std::sqrt(distance));
     if (lastsFor >= steps && !searchesEveryStep_) return steps;
-    const auto begin = std::chrono::steady_clock::now();
-    searchContact();
-    executor_.synchronize();
-    times_.search += secondsSince(begin);
+    search();
     return std::max<std::int64_t>(1, lasting(0));
 }
 
