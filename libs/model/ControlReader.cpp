@@ -50,6 +50,10 @@ void readTimeStep(const Dictionary& timeStep, Control& control)
     control.timeStepSafety = timeStep.numberOr("safety", 0.9, {0, 1, true, false});
     control.contactStepLimit = timeStep.numberOr("contactLimit", 0.5, {0, 2, true, false});
     control.fixedTimeStep = timeStep.numberOr("fixed", 0.0, nonNegative());
+    control.beyondBound = timeStep.choiceOr("beyondBound", "stop", {"stop", "go"}) == "go";
+    if (control.beyondBound && !(control.fixedTimeStep > 0))
+        timeStep.fail("beyondBound", "only a step that is given can be beyond the bound",
+                      "add, for example: fixed 2e-8;");
 }
 
 void readEnergyBalance(const Dictionary& balance, Control& control)
@@ -105,6 +109,7 @@ Control readControl(const Dictionary& dictionary, Log& log)
     readQuasiStatic(dictionary, control);
     readEnergyBalance(dictionary.subOrEmpty("energyBalance"), control);
     readMachine(dictionary, control);
+    control.searchInterval = int(dictionary.integerOr("searchInterval", 0, 0, 1000000));
     control.midStepStrain =
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
     return control;

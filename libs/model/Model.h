@@ -130,6 +130,8 @@ struct Control {
     double timeStepSafety = 0.9;    ///< of the stability bound
     double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound
     double fixedTimeStep = 0;       ///< > 0: this step, checked against the bound
+    bool beyondBound = false;       ///< the fixed step may exceed it: to see what happens
+    int searchInterval = 0;         ///< steps between contact searches; 0: while the lists last
     double massDamping = 0;         ///< xi [1/time], eq. (3)
     double kineticShare = 0;        ///< quasi-static: warn beyond this, 0: never
     double quasiStaticAfter = 0;    ///< start phase without that warning [time]

@@ -7,6 +7,8 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -90,6 +92,28 @@ public:
     }
 
     void synchronize() const {}
+
+    /// step() `count` times.
+    template <class Step>
+    void repeat(std::int64_t count, const Step& step) const
+    {
+        for (std::int64_t i = 0; i < count; ++i) step();
+    }
+    void forgetSteps() const {}
+
+    /// Adds the seconds that body takes.
+    template <class Body>
+    void timed(double& seconds, const Body& body) const
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        body();
+        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+    /// All steps over those whose parts were timed.
+    double timedScale() const
+    {
+        return 1;
+    }
 
     static void* allocate(std::size_t bytes)
     {

@@ -9,7 +9,10 @@
 #include "parallel/Math.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace fpm {
 
@@ -72,19 +75,36 @@ __global__ void __launch_bounds__(256) launchBlocks(Kernel kernel)
     kernel(CudaTeam(blockScratch), Index(blockIdx.x));
 }
 
+/// Deleters of what CUDA hands out as plain pointers.
+struct CudaRelease {
+    void operator()(cudaStream_t stream) const { cudaStreamDestroy(stream); }
+    void operator()(cudaEvent_t event) const { cudaEventDestroy(event); }
+    void operator()(cudaGraph_t graph) const { cudaGraphDestroy(graph); }
+    void operator()(cudaGraphExec_t graph) const { cudaGraphExecDestroy(graph); }
+};
+template <class Handle>
+using CudaOwned = std::unique_ptr<std::remove_pointer_t<Handle>, CudaRelease>;
+
 /// Launches on one stream of the current device. Allocation is plain cudaMalloc, at set-up only.
 class CudaExecutor
 {
 public:
     using Team = CudaTeam;
 
-    CudaExecutor(int, std::size_t) {}
+    CudaExecutor(int, std::size_t)
+    {
+        cudaStream_t stream = nullptr;
+        // A blocking stream: the plain copies of toDevice and toHost keep their order with it.
+        checkCuda(cudaStreamCreate(&stream), "stream");
+        stream_.reset(stream);
+    }
 
     template <class Kernel>
     void parallelFor(Index count, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        launchEach<<<unsigned((count + 255) / 256), 256>>>(count, kernel);
+        const unsigned blocks = unsigned((std::size_t(count) + 255) / 256);
+        launchEach<<<blocks, 256, 0, stream_.get()>>>(count, kernel);
         checkCuda(cudaGetLastError(), "kernel launch");
     }
     template <class Kernel>
@@ -98,10 +118,51 @@ public:
                         "a patch needs " + std::to_string(scratchBytes)
                             + " bytes of shared memory, more than this GPU gives to a block",
                         "run on the CPU, or on a GPU of compute capability 9.0 or later");
-        launchBlocks<<<unsigned(count), 256, scratchBytes>>>(kernel);
+        launchBlocks<<<unsigned(count), 256, scratchBytes, stream_.get()>>>(kernel);
         checkCuda(cudaGetLastError(), "kernel launch");
     }
-    void synchronize() const { checkCuda(cudaDeviceSynchronize(), "time step"); }
+    void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
+
+    /// step() `count` times. Full runs of graphSteps are recorded once as a graph and replayed, so
+    /// what step launches may not change until forgetSteps. One replay in samplePeriod is launched
+    /// plainly instead, to be timed.
+    template <class Step>
+    void repeat(std::int64_t count, const Step& step)
+    {
+        const bool full = count == graphSteps;
+        if (full && ++replays_ % samplePeriod != 1) {
+            if (!graph_) record(step);
+            checkCuda(cudaGraphLaunch(graph_.get(), stream_.get()), "graph launch");
+            stepsDone_ += count;
+            return;
+        }
+        sampling_ = full;
+        for (std::int64_t i = 0; i < count; ++i) step();
+        stepsDone_ += count;
+        if (sampling_) {
+            stepsTimed_ += count;
+            readSamples();
+        }
+        sampling_ = false;
+    }
+    /// What the steps launch has changed: another array, another size.
+    void forgetSteps() { graph_.reset(); }
+
+    /// Seconds the device spends on what body launches, added in the steps that are sampled.
+    template <class Body>
+    void timed(double& seconds, const Body& body)
+    {
+        if (!sampling_) return body();
+        samples_.push_back({&seconds, stamp(), {}});
+        const std::size_t mine = samples_.size() - 1;
+        body();
+        samples_[mine].end = stamp();
+    }
+    /// All steps over those whose parts were timed.
+    double timedScale() const
+    {
+        return stepsTimed_ > 0 ? double(stepsDone_) / double(stepsTimed_) : 1;
+    }
 
     static void* allocate(std::size_t bytes)
     {
@@ -119,6 +180,52 @@ public:
     {
         checkCuda(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copy from the device");
     }
+
+private:
+    static constexpr std::int64_t graphSteps = 10, samplePeriod = 32;
+
+    struct Sample {
+        double* seconds;
+        CudaOwned<cudaEvent_t> begin, end;
+    };
+
+    CudaOwned<cudaEvent_t> stamp() const
+    {
+        cudaEvent_t event = nullptr;
+        checkCuda(cudaEventCreate(&event), "event");
+        CudaOwned<cudaEvent_t> owned(event);
+        checkCuda(cudaEventRecord(event, stream_.get()), "event");
+        return owned;
+    }
+    template <class Step>
+    void record(const Step& step)
+    {
+        checkCuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "graph");
+        for (std::int64_t i = 0; i < graphSteps; ++i) step();
+        cudaGraph_t graph = nullptr;
+        checkCuda(cudaStreamEndCapture(stream_.get(), &graph), "graph");
+        const CudaOwned<cudaGraph_t> owned(graph);
+        cudaGraphExec_t executable = nullptr;
+        checkCuda(cudaGraphInstantiate(&executable, graph, 0), "graph");
+        graph_.reset(executable);
+    }
+    void readSamples()
+    {
+        synchronize();
+        for (const Sample& sample : samples_) {
+            float milliseconds = 0;
+            checkCuda(cudaEventElapsedTime(&milliseconds, sample.begin.get(), sample.end.get()),
+                      "event");
+            *sample.seconds += 1e-3 * double(milliseconds);
+        }
+        samples_.clear();
+    }
+
+    CudaOwned<cudaStream_t> stream_;
+    CudaOwned<cudaGraphExec_t> graph_; ///< graphSteps steps
+    std::vector<Sample> samples_;
+    bool sampling_ = false;
+    std::int64_t replays_ = 0, stepsDone_ = 0, stepsTimed_ = 0;
 };
 
 } // namespace fpm

@@ -38,7 +38,7 @@ public:
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
     std::uint64_t stateChecksum() override;
-    const StepTimes& times() const override { return times_; }
+    StepTimes times() const override;
     std::size_t deviceBytes() const override { return state_.bytes(); }
     std::string description() const override { return description_; }
     const SolverData& data() const override { return data_; }
@@ -46,8 +46,11 @@ public:
 
 private:
     using Work = typename Precision::Work;
-    using Seconds = std::chrono::duration<double>;
     static constexpr std::int64_t batch = 10; ///< steps between looks of the host
+    static double secondsSince(std::chrono::steady_clock::time_point begin)
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
 
     void computeForces();
     void integrate();
@@ -74,8 +77,6 @@ private:
     Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
-    template <class Body>
-    void timed(double& seconds, const Body& body);
 
     SolverData data_;
     double massDamping_;
@@ -90,8 +91,9 @@ private:
     double startEnergy_ = 0;
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
-    std::int64_t deletions_ = 0;       ///< those that pressures and contact surfaces know
-    Energies lost_;                    ///< booked for contactors that are none any more
+    std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
+    std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
+    Energies lost_;              ///< booked for contactors that are none any more
 };
 
 template <class Precision, class Executor>
@@ -113,21 +115,14 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
     rules_.fixedStep = model.control.fixedTimeStep;
+    rules_.beyondBound = model.control.beyondBound;
+    searchInterval_ = model.control.searchInterval;
     if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const PairData& pair : data_.pairs)
         if (pair.surface < 0) {
             searches_ = true;
             searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
         }
-}
-
-template <class Precision, class Executor>
-template <class Body>
-void ExplicitSolver<Precision, Executor>::timed(double& seconds, const Body& body)
-{
-    const auto begin = std::chrono::steady_clock::now();
-    body();
-    seconds += Seconds(std::chrono::steady_clock::now() - begin).count();
 }
 
 template <class Precision, class Executor>
@@ -157,30 +152,30 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         std::int64_t steps =
             std::min(searchesEveryStep_ || now.step <= 0 ? 1 : batch, last - now.steps);
         if (searches_) steps = searchFor(now, steps);
-        for (std::int64_t step = 0; step < steps; ++step) {
+        executor_.repeat(steps, [&] {
             integrate();
             computeForces();
-        }
+        });
         executor_.synchronize();
         now = clock();
         if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
     }
-    times_.total += Seconds(std::chrono::steady_clock::now() - begin).count();
+    times_.total += secondsSince(begin);
 }
 
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::computeForces()
 {
-    timed(times_.element, [&] { elementPasses(); });
-    if (!data_.pairs.empty()) timed(times_.contact, [&] { contactPasses(); });
-    timed(times_.node, [&] { loadPasses(); });
+    executor_.timed(times_.element, [&] { elementPasses(); });
+    if (!data_.pairs.empty()) executor_.timed(times_.contact, [&] { contactPasses(); });
+    executor_.timed(times_.node, [&] { loadPasses(); });
 }
 
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::integrate()
 {
-    timed(times_.node, [&] {
+    executor_.timed(times_.node, [&] {
         if (data_.relaxation.tolerance > 0) relax();
         const ClockPass clockPass{state_.patchStep.data(),
                                   Index(state_.patchStep.size()),

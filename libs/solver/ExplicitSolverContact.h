@@ -69,6 +69,19 @@ template <class Precision, class Executor>
 std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
                                                             std::int64_t steps)
 {
+    const auto search = [&] {
+        const auto begin = std::chrono::steady_clock::now();
+        searchContact();
+        executor_.synchronize();
+        times_.search += secondsSince(begin);
+    };
+    if (searchInterval_ > 0) {
+        if (now.steps >= nextSearch_) {
+            search();
+            nextSearch_ = now.steps + searchInterval_;
+        }
+        return std::min(steps, nextSearch_ - now.steps);
+    }
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
         contactBlocks(),
@@ -93,7 +106,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
     };
     const std::int64_t lastsFor = lasting(std::sqrt(distance));
     if (lastsFor >= steps && !searchesEveryStep_) return steps;
-    timed(times_.search, [&] { searchContact(); });
+    search();
     return std::max<std::int64_t>(1, lasting(0));
 }
 

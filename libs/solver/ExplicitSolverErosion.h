@@ -42,6 +42,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
         state_.fixed.fromHost(data_.fixed);
         state_.listedNodes = Array<Index, Executor>(data_.listedNodes);
     }
+    executor_.forgetSteps();
     searchContact();
 }
 

@@ -4,6 +4,14 @@
 
 namespace fpm {
 
+template <class Precision, class Executor>
+StepTimes ExplicitSolver<Precision, Executor>::times() const
+{
+    StepTimes out = times_;
+    for (double* part : {&out.element, &out.contact, &out.node}) *part *= executor_.timedScale();
+    return out;
+}
+
 /// Kinetic energy, and the half work of loads and drives that closes the ledger at this time.
 template <class Precision, class Executor>
 std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()

@@ -133,20 +133,20 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
 
 void reportPerformance(Solver& solver, const Model& model, Run& run)
 {
-    const StepTimes& t = solver.times();
+    const StepTimes t = solver.times();
     const std::int64_t steps = solver.clock().steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
-    const bool cpu = model.control.backend != "cuda";
+    const bool known = t.element > 0 && t.total > 0;
     const double contactShare = t.total > 0 ? (t.contact + t.search) / t.total : 0;
     run.log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
                         elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
                         solver.description()));
-    if (cpu && t.total > 0)
+    if (known)
         run.log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
                             toText(100 * t.element / t.total, 3), toText(100 * contactShare, 3),
                             t.searches, toText(100 * t.node / t.total, 3)));
-    const std::string share = cpu ? toText(contactShare, 4) : "null";
+    const std::string share = known ? toText(contactShare, 4) : "null";
     writeFileAtomically(
         run.theCase.path("postProcessing/performance/0/performance.json"),
         format("{\n  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",

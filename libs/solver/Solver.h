@@ -68,7 +68,7 @@ struct BodyMotionValues {
     double kinetic = 0, halfStepKinetic = 0; ///< the latter at v^(n-1/2)
 };
 
-/// Seconds spent; on a GPU only the total is known without disturbing the run.
+/// Seconds spent. On a GPU the parts are scaled up from a sample of the steps; 0 before the first.
 struct StepTimes {
     double total = 0, element = 0, contact = 0, node = 0, search = 0;
     std::int64_t searches = 0;
@@ -116,7 +116,7 @@ public:
     virtual ElementValues elementValues() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.
     virtual std::uint64_t stateChecksum() = 0;
-    virtual const StepTimes& times() const = 0;
+    virtual StepTimes times() const = 0;
     virtual std::size_t deviceBytes() const = 0;
     virtual std::string description() const = 0; ///< "openmp, 2 threads, avx512, double"
     virtual const SolverData& data() const = 0;

@@ -35,6 +35,7 @@ struct StepRules {
     double safety = 0.9;       ///< of 2 / sqrt(omega_e^2 + omega_c^2)
     double contactLimit = 0.5; ///< omega_c dt, so that a touch creates no energy
     double fixedStep = 0;      ///< > 0: this step
+    bool beyondBound = false;  ///< which may exceed the bound
     double growth = 1.1;       ///< largest ratio of successive steps
 };
 
@@ -51,7 +52,7 @@ advanceClock(StepClock& clock, const StepRules& rules, double elementStep, doubl
     if (!clock.running) return;
     const double elementSquare = 4 / (elementStep * elementStep);
     clock.stableStep = 2 / ::sqrt(elementSquare + contactSquare);
-    if (rules.fixedStep > clock.stableStep) {
+    if (rules.fixedStep > clock.stableStep && !rules.beyondBound) {
         clock.failed = 2;
         clock.running = 0;
         return;

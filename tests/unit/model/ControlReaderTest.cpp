@@ -53,13 +53,17 @@ TEST(ControlReader, NeedsNothingButTheEndTime)
 TEST(ControlReader, ReadsWhatIsSaid)
 {
     const Control control =
-        read("endTime 2; timeStep { safety 0.5; contactLimit 1; fixed 1e-3; } precision mixed; "
-             "strainGeometry start; assembly gather; threads 3; energyBalance { warning 0.1; stop "
+        read("endTime 2; timeStep { safety 0.5; contactLimit 1; fixed 1e-3; beyondBound go; } "
+             "precision mixed; searchInterval 7; strainGeometry start; assembly gather; threads 3; "
+             "energyBalance { "
+             "warning 0.1; stop "
              "0.2; }");
 
     EXPECT_EQ(control.timeStepSafety, 0.5);
     EXPECT_EQ(control.contactStepLimit, 1);
     EXPECT_EQ(control.fixedTimeStep, 1e-3);
+    EXPECT_TRUE(control.beyondBound);
+    EXPECT_EQ(control.searchInterval, 7);
     EXPECT_EQ(control.precision, Precision::mixed);
     EXPECT_EQ(control.assembly, Assembly::gather);
     EXPECT_FALSE(control.midStepStrain);
@@ -139,6 +143,8 @@ TEST(ControlReader, RefusesTimesAndLimitsOutOfRange)
     EXPECT_TRUE(contains(refusal([] { read("endTime 0;"); }), "endTime"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeInterval 0;"); }), "writeInterval"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; timeStep { safety 1.5; }"); }), "safety"));
+    EXPECT_TRUE(
+        contains(refusal([] { read("endTime 1; timeStep { beyondBound go; }"); }), "fixed"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; energyBalance { stop 0.001; }"); }),
                          "would stop before it warns"));
 }

@@ -31,6 +31,32 @@ TEST(TimeStep, ContactLimitIsHonouredWhateverThePenalty)
     }
 }
 
+TEST(TimeStep, AFixedStepGoesBeyondTheBoundOnlyWhereToldTo)
+{
+    Model model = fall(1);
+    const auto plain = startedSolver(fall(1));
+    plain->advance(1, 1);
+    model.control.fixedTimeStep = 1.01 * plain->clock().stableStep;
+    const auto refusing = startedSolver(model);
+    refusing->advance(1, 5);
+    EXPECT_EQ(refusing->clock().failed, 2);
+    model.control.beyondBound = true;
+    const auto going = startedSolver(model);
+    going->advance(1, 5);
+    EXPECT_EQ(going->clock().failed, 0);
+    EXPECT_EQ(going->clock().steps, 5);
+}
+
+TEST(TimeStep, SearchesAsOftenAsToldTo)
+{
+    Model model = fall(1);
+    model.control.searchInterval = 7;
+    const auto solver = startedSolver(model);
+    const std::int64_t before = solver->times().searches;
+    for (int call = 0; call < 4; ++call) solver->advance(1, 15);
+    EXPECT_EQ(solver->times().searches - before, 9); // steps 0, 7, ..., 56 of 60
+}
+
 TEST(TimeStep, LimitOfTheControlIsTheOneUsed)
 {
     Model model = fall(1);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "stability/Scene.h"
+
+namespace fpm {
+
+/// What theory says of a scene in its first contact, as multiples of the bound from elements alone.
+struct Bounds {
+    double elementStep = 0; ///< that bound [time]
+    double withContact = 1; ///< 2 / sqrt(omega_e^2 + omega_c^2)
+    double quality = 0;     ///< omega_c dt <= 0.5: a touch makes no energy; 0: no contact
+    double eigenvalue = 0;  ///< 2 / omega_max of all elements and closed springs; 0: not asked for
+};
+
+/// Bounds of the model at its start; springs within reach count before they close.
+Bounds boundsOf(const Model& model);
+
+/// The largest frequency of the discrete model with its touching contacts pressed [1/time], by
+/// power iteration on M^-1 K, K v being the change of the solver's own forces along a small v; from
+/// below, within about 1 %.
+double largestFrequency(const Model& model, double elementStep);
+
+} // namespace fpm
