@@ -102,6 +102,8 @@ Control readControl(const Dictionary& dictionary, Log& log)
     readQuasiStatic(dictionary, control);
     readEnergyBalance(dictionary.subOrEmpty("energyBalance"), control);
     readMachine(dictionary, control);
+    control.paperAlgorithm =
+        dictionary.choiceOr("algorithm", "default", {"default", "paper"}) == "paper";
     control.midStepStrain =
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
     return control;

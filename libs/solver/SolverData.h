@@ -23,6 +23,7 @@ struct PairData {
     std::size_t pair = 0;  ///< number in the model
     bool reversed = false; ///< second pass: the target's nodes are the contactors
     ContactSearch search = ContactSearch::faces;
+    ContactProjection projection = ContactProjection::tracked;
     ContactLaw law;
     Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
     double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
