@@ -69,6 +69,10 @@ template <class Precision, class Executor>
 std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
                                                             std::int64_t steps)
 {
+    if (searchesEveryStep_) {
+        timed(times_.search, [&] { searchContact(); });
+        return 1;
+    }
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
         contactBlocks(),
@@ -92,7 +96,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         return way * double(steps) <= left ? steps : std::int64_t(left / way);
     };
     const std::int64_t lastsFor = lasting(std::sqrt(distance));
-    if (lastsFor >= steps && !searchesEveryStep_) return steps;
+    if (lastsFor >= steps) return steps;
     timed(times_.search, [&] { searchContact(); });
     return std::max<std::int64_t>(1, lasting(0));
 }
