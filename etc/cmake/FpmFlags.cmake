@@ -4,3 +4,8 @@ add_library(fpmFlags INTERFACE)
 target_include_directories(fpmFlags INTERFACE ${CMAKE_SOURCE_DIR}/libs)
 target_compile_options(fpmFlags INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Werror -ffp-contract=off -fno-math-errno -march=x86-64-v3>)
+
+# Programs look for libraries beside them too, and so do those libraries (RPATH, not RUNPATH): a folder
+# with bin/ and lib/ runs where it is put (etc/gpuBundle).
+set(CMAKE_BUILD_RPATH "$ORIGIN/../lib")
+add_link_options(-Wl,--disable-new-dtags)

@@ -96,6 +96,9 @@ PairEntry readPair(const Dictionary& entry, const std::string& name)
     pair.search = entry.choiceOr("search", "faces", {"faces", "closestParticle"}) == "faces"
                       ? ContactSearch::faces
                       : ContactSearch::closestParticle;
+    pair.projection = entry.choiceOr("projection", "tracked", {"tracked", "cold"}) == "cold"
+                          ? ContactProjection::cold
+                          : ContactProjection::tracked;
     pair.passes = entry.choiceOr("passes", "one", {"one", "two"}) == "two" ? 2 : 1;
     return pair;
 }

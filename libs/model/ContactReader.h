@@ -28,6 +28,7 @@ struct PairEntry : ContactLaw {
     std::string name;
     std::string contactor, target; ///< a surface, a part or a side set; target also analytic
     ContactSearch search = ContactSearch::faces;
+    ContactProjection projection = ContactProjection::tracked;
     int passes = 1;
     InitialOverlap initialOverlap = InitialOverlap::report;
     double rampTime = 0;

@@ -127,6 +127,8 @@ void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
         "remove the entry: the target is an analytic surface, without faces";
     if (entry.search == ContactSearch::closestParticle)
         place.fail("search", "the target has no particles to search", instead);
+    if (entry.projection == ContactProjection::cold)
+        place.fail("projection", "the target has no faces to project on", instead);
     if (entry.passes == 2)
         place.fail("passes", "the target has no nodes for a second pass", instead);
     if (entry.initialOverlap != InitialOverlap::report)

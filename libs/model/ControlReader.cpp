@@ -110,6 +110,8 @@ Control readControl(const Dictionary& dictionary, Log& log)
     readEnergyBalance(dictionary.subOrEmpty("energyBalance"), control);
     readMachine(dictionary, control);
     control.searchInterval = int(dictionary.integerOr("searchInterval", 0, 0, 1000000));
+    control.paperAlgorithm =
+        dictionary.choiceOr("algorithm", "default", {"default", "paper"}) == "paper";
     control.midStepStrain =
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
     return control;

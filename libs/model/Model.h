@@ -83,6 +83,9 @@ struct Part {
 };
 
 enum class ContactSearch { faces, closestParticle };
+/// How a contactor finds its place at a step: warm, on the face it follows; or cold, from the
+/// middle of every face around the nearest corner.
+enum class ContactProjection { tracked, cold };
 /// Two surfaces; one against itself; all bodies against all, themselves included.
 enum class ContactKind { pair, self, general };
 /// What becomes of contactors that lie inside the target before the run: pushed out at the first
@@ -96,6 +99,7 @@ struct ContactPair : ContactLaw {
     std::vector<ElementSide> targetSides; ///< empty where an analytic surface is the target
     Index surface = -1;                   ///< that surface, in Model::rigidSurfaces
     ContactSearch search = ContactSearch::faces;
+    ContactProjection projection = ContactProjection::tracked;
     ContactKind kind = ContactKind::pair;
     int passes = 1; ///< 2: each side is contactor once, with half the stiffness
     InitialOverlap initialOverlap = InitialOverlap::report;
@@ -142,7 +146,8 @@ struct Control {
     std::string simd = "auto";      ///< auto scalar avx2 avx512
     Precision precision = Precision::double_;
     Assembly assembly = Assembly::patch;
-    bool midStepStrain = true; ///< strain at mid-step geometry; false: at its start (paper)
+    bool paperAlgorithm = false; ///< that of the paper as a whole, for comparison
+    bool midStepStrain = true;   ///< strain at mid-step geometry; false: at its start (paper)
     std::vector<History> histories;
 };
 

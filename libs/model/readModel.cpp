@@ -8,6 +8,7 @@
 #include "model/ContactSetup.h"
 #include "model/ControlReader.h"
 #include "model/MotionCheck.h"
+#include "model/PaperAlgorithm.h"
 #include "model/PartReader.h"
 #include "model/RigidContact.h"
 
@@ -41,6 +42,7 @@ ContactPair makePair(const PairEntry& entry, const ContactSurfaces& surfaces)
     pair.contactorNodes = surfaces.contactorNodes;
     pair.targetSides = surfaces.targetSides;
     pair.search = entry.search;
+    pair.projection = entry.projection;
     pair.kind =
         surfaces.contactorSides == surfaces.targetSides ? ContactKind::self : ContactKind::pair;
     pair.passes = entry.passes;
@@ -171,6 +173,9 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
     requireStep(model, control);
     readMassScaling(control, model.parts);
     readContact(theCase, model, log);
+    if (model.control.paperAlgorithm)
+        applyPaperAlgorithm(model, control, theCase.dictionary("constant/partProperties"),
+                            dictionaryOrEmpty(theCase, "system/contactDict"), log);
     model.control.histories = readHistories(control, model, log);
     control.requireAllUsed();
     report(model, log);

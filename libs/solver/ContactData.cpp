@@ -117,6 +117,7 @@ PairData makePass(const SolverData& data,
 {
     PairData out;
     out.search = pair.search;
+    out.projection = pair.projection;
     out.law = pair;
     if (own.empty() || target.empty()) { // deletion has left nothing to touch
         out.ownFaceStart = out.targetFaceStart = {0};

@@ -145,6 +145,7 @@ struct PairState {
         v.injected = injected.data();
         v.fadeTime = pair.fadeTime;
         v.reach = Work(pair.reach);
+        v.cold = pair.projection == ContactProjection::cold;
         v.faceMass = faceMass.data();
         v.law = law(pair);
         return v;

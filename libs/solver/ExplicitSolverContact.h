@@ -82,6 +82,10 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         }
         return std::min(steps, nextSearch_ - now.steps);
     }
+    if (searchesEveryStep_) {
+        search();
+        return 1;
+    }
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
         contactBlocks(),
@@ -105,7 +109,7 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         return way * double(steps) <= left ? steps : std::int64_t(left / way);
     };
     const std::int64_t lastsFor = lasting(std::sqrt(distance));
-    if (lastsFor >= steps && !searchesEveryStep_) return steps;
+    if (lastsFor >= steps) return steps;
     search();
     return std::max<std::int64_t>(1, lasting(0));
 }

@@ -4,6 +4,7 @@
 #include "io/AtomicFile.h"
 #include "solver/ElementStep.h"
 #include "solver/PenaltyData.h"
+#include "solver/StepBytes.h"
 #include "solver/TimeLoop.h"
 
 #include <algorithm>
@@ -131,36 +132,72 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
     }
 }
 
+namespace {
+
+std::string hexText(std::uint64_t value)
+{
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> shift) & 15];
+    return text;
+}
+
+const char* precisionName(Precision precision)
+{
+    return precision == Precision::double_ ? "double"
+           : precision == Precision::mixed ? "mixed"
+                                           : "single";
+}
+
+/// What scripts read of a run; null is what was not timed, or has no meaning.
+std::string performanceText(const Solver& solver, const Model& model, const std::string& checksum)
+{
+    const StepTimes& t = solver.times();
+    const StepClock clock = solver.clock();
+    const double steps = double(clock.steps), elements = double(model.mesh.hexahedra.size()),
+                 touching = double(contactors(model)), contact = t.contact + t.search;
+    const bool known = t.element > 0;
+    const auto over = [](double part, double whole, bool known, int digits) {
+        return known && whole > 0 ? toText(part / whole, digits) : std::string("null");
+    };
+    return format("{\n  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
+                  model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),
+                  clock.steps)
+           + format(
+               "  \"wallSeconds\": {}, \"nsPerElementStep\": {}, \"nsPerContactorStep\": {},\n",
+               toText(t.total, 6), over(1e9 * t.total, steps * elements, true, 5),
+               over(1e9 * contact, steps * touching, known, 5))
+           + format("  \"contactShare\": {}, \"searches\": {},\n", over(contact, t.total, known, 4),
+                    t.searches)
+           + format("  \"backend\": \"{}\", \"precision\": \"{}\", \"algorithm\": \"{}\",\n",
+                    model.control.backend, precisionName(model.control.precision),
+                    model.control.paperAlgorithm ? "paper" : "default")
+           + format("  \"description\": \"{}\",\n", solver.description())
+           + format(
+               "  \"bytesPerElementStep\": {}, \"deviceBytes\": {}, \"checksum\": \"{}\"\n}\n",
+               over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true, 4),
+               solver.deviceBytes(), checksum);
+}
+
+} // namespace
+
 void reportPerformance(Solver& solver, const Model& model, Run& run)
 {
     const StepTimes t = solver.times();
     const std::int64_t steps = solver.clock().steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
-    const bool known = t.element > 0 && t.total > 0;
-    const double contactShare = t.total > 0 ? (t.contact + t.search) / t.total : 0;
     run.log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
                         elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
                         solver.description()));
-    if (known)
+    if (t.element > 0 && t.total > 0)
         run.log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
-                            toText(100 * t.element / t.total, 3), toText(100 * contactShare, 3),
-                            t.searches, toText(100 * t.node / t.total, 3)));
-    const std::string share = known ? toText(contactShare, 4) : "null";
-    writeFileAtomically(
-        run.theCase.path("postProcessing/performance/0/performance.json"),
-        format("{\n  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
-               elements, model.mesh.points.size(), contactors(model), steps)
-            + format("  \"wallSeconds\": {}, \"nsPerElementStep\": {}, \"contactShare\": {}, "
-                     "\"searches\": {},\n",
-                     toText(t.total, 6), toText(perStep, 5), share, t.searches)
-            + format("  \"backend\": \"{}\", \"precision\": \"{}\", \"description\": \"{}\",\n",
-                     model.control.backend,
-                     model.control.precision == Precision::double_ ? "double"
-                     : model.control.precision == Precision::mixed ? "mixed"
-                                                                   : "single",
-                     solver.description())
-            + format("  \"deviceBytes\": {}\n}\n", solver.deviceBytes()));
+                            toText(100 * t.element / t.total, 3),
+                            toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
+                            toText(100 * t.node / t.total, 3)));
+    const std::string checksum = hexText(solver.stateChecksum());
+    run.log.line("stateChecksum = " + checksum);
+    writeFileAtomically(run.theCase.path("postProcessing/performance/0/performance.json"),
+                        performanceText(solver, model, checksum));
 }
 
 namespace {

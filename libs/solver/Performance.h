@@ -5,7 +5,7 @@
 
 namespace fpm {
 
-/// Logs ns per element-step and the shares of the solvers, and writes
+/// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
 /// postProcessing/performance/0/performance.json.
 void reportPerformance(Solver& solver, const Model& model, Run& run);
 

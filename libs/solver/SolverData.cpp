@@ -141,7 +141,8 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + 15) / 16 * 16;
         data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
-                                interiorCount(patches, patch), 0, patch.part, data.stateSize, data.strainCount});
+                                interiorCount(patches, patch), 0, patch.part, data.stateSize,
+                                data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
         data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);

@@ -23,6 +23,7 @@ struct PairData {
     std::size_t pair = 0;  ///< number in the model
     bool reversed = false; ///< second pass: the target's nodes are the contactors
     ContactSearch search = ContactSearch::faces;
+    ContactProjection projection = ContactProjection::tracked;
     ContactLaw law;
     Index surface = -1;      ///< analytic target, in SolverData::surfaces; it has no faces
     double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
@@ -80,16 +81,16 @@ struct SolverData {
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart;
     std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
-    std::vector<double> elementMass; ///< tiles of 1
+    std::vector<double> elementMass;                  ///< tiles of 1
     std::vector<double> massRatio;   ///< of it to the mass that is heated; empty: 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
     std::vector<double> ownNodeMass; ///< without: what weighs
     std::size_t scaledElements = 0;
-    RelaxationRules relaxation;  ///< tolerance 0: none
-    std::vector<Point> velocity; ///< initial
-    std::vector<std::uint8_t> fixed; ///< see InteriorNodes
-    bool sharesNodes = false;        ///< patches move their interior nodes themselves, and
-    std::vector<Index> listedNodes;  ///< NodePass only these
+    RelaxationRules relaxation;        ///< tolerance 0: none
+    std::vector<Point> velocity;       ///< initial
+    std::vector<std::uint8_t> fixed;   ///< see InteriorNodes
+    bool sharesNodes = false;          ///< patches move their interior nodes themselves, and
+    std::vector<Index> listedNodes;    ///< NodePass only these
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
     std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;

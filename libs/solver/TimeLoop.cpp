@@ -60,13 +60,6 @@ std::string clockText(double seconds)
     return two(s / 3600) + ":" + two(s / 60 % 60) + ":" + two(s % 60);
 }
 
-std::string hexText(std::uint64_t value)
-{
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> shift) & 15];
-    return text;
-}
-
 /// One run from start to end: what is due when, and what goes where.
 class TimeLoop
 {
@@ -245,7 +238,6 @@ private:
             run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
                                  stepLimit(solver_, model_)));
         reportPerformance(solver_, model_, run_);
-        run_.log.line("stateChecksum = " + hexText(solver_.stateChecksum()));
     }
 
     void reportEnergies()

@@ -1,68 +1,148 @@
-// Speed of the element and particle solvers: a block of n^3 elastoplastic hexahedra, random initial
-// velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats,
-// of the wall and of the processor (all threads together).
-// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective]
-// [assembly]
+// Speed of the element and particle solvers: a block of n^3 hexahedra without contact, random
+// initial velocities large enough to yield. The variants are built together and run in turn, so
+// that what disturbs the machine disturbs all of them. One line of JSON a variant.
+//
+//   bench_block <n> <steps> <repeats> <variant> ...
+//   variant: backend,threads,simd,precision,form
+//   form: elastic stiffness physical viscous selective (all but the first elastoplastic)
 
+#include "base/Error.h"
 #include "solver/Solver.h"
+#include "solver/StepBytes.h"
 #include "support/solverModel.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <random>
+#include <sstream>
 
 using namespace fpm;
 
-int main(int argc, char** argv)
-{
-    const auto word = [&](int i, const char* preset) {
-        return std::string(argc > i ? argv[i] : preset);
-    };
-    const Index n = Index(std::atoi(word(1, "100").c_str()));
-    const int steps = std::atoi(word(2, "10").c_str()), repeats = std::atoi(word(3, "5").c_str());
-    const std::string form = word(8, "stiffness"), precision = word(7, "double");
+namespace {
 
-    const HourglassForm hourglass = form == "physical"  ? HourglassForm::physical
+constexpr int warmUp = 3; ///< steps before the clock counts
+
+struct Variant {
+    std::string text, backend, simd, precision, form;
+    int threads = 0;
+
+    explicit Variant(const std::string& given) : text(given)
+    {
+        std::istringstream words(given);
+        std::string count;
+        for (std::string* word : {&backend, &count, &simd, &precision, &form})
+            std::getline(words, *word, ',');
+        threads = std::atoi(count.c_str());
+    }
+    Part part() const
+    {
+        Part made = test::aluminium(form == "elastic" ? PartKind::elastic : PartKind::elastoplastic,
+                                    form == "physical"  ? HourglassForm::physical
                                     : form == "viscous" ? HourglassForm::viscous
-                                                        : HourglassForm::stiffness;
+                                                        : HourglassForm::stiffness);
+        if (form == "selective") {
+            made.hexahedron = HexahedronForm::selective;
+            made.rotation = RotationForm::hughesWinget;
+        }
+        return made;
+    }
+    void applyTo(Control& control) const
+    {
+        control.backend = backend;
+        control.threads = threads;
+        control.simd = simd;
+        control.precision = precision == "mixed"    ? Precision::mixed
+                            : precision == "single" ? Precision::single
+                                                    : Precision::double_;
+    }
+};
+
+struct Running {
+    Variant variant;
+    Precision precision;
+    std::unique_ptr<Solver> solver;
+    StepTimes before; ///< of the warm-up
+    std::vector<double> seconds;
+};
+
+Model block(Index n)
+{
     Model model = test::boxModel({n, n, n}, {double(n), double(n), double(n)},
-                                 test::aluminium(PartKind::elastoplastic, hourglass));
-    if (form == "selective") model.parts[0].hexahedron = HexahedronForm::selective;
+                                 test::aluminium(PartKind::elastic, HourglassForm::stiffness));
     std::mt19937 random(1);
     std::uniform_real_distribution<double> speed(-2e4, 2e4);
     for (Index node = 0; node < Index(model.mesh.points.size()); ++node)
         model.initialVelocities.push_back(
             {"random", {node}, {speed(random), speed(random), speed(random)}});
-    Control& control = model.control;
-    control.backend = word(4, "serial");
-    control.threads = std::atoi(word(5, "0").c_str());
-    control.simd = word(6, "auto");
-    control.precision = precision == "mixed"    ? Precision::mixed
-                        : precision == "single" ? Precision::single
-                                                : Precision::double_;
-    if (word(9, "patch") == "gather") control.assembly = Assembly::gather;
-    const auto solver = makeSolver(model);
-    solver->start();
-    solver->advance(1, 3);
-    std::vector<double> costs, work;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const double before = solver->times().total;
-        const std::clock_t begin = std::clock();
-        solver->advance(1, steps);
-        work.push_back(1e9 * double(std::clock() - begin) / CLOCKS_PER_SEC
-                       / (double(steps) * n * n * n));
-        costs.push_back(1e9 * (solver->times().total - before) / (double(steps) * n * n * n));
+    return model;
+}
+
+void print(const Running& run, std::size_t elements, int steps)
+{
+    const StepTimes &t = run.solver->times(), &before = run.before;
+    const double total = t.total - before.total;
+    std::printf("{\"variant\": \"%s\", \"description\": \"%s\", \"elements\": %zu, \"steps\": %d, "
+                "\"seconds\": [",
+                run.variant.text.c_str(), run.solver->description().c_str(), elements, steps);
+    for (std::size_t i = 0; i < run.seconds.size(); ++i)
+        std::printf("%s%.9g", i > 0 ? ", " : "", run.seconds[i]);
+    std::printf("], \"elementShare\": %.4g, \"nodeShare\": %.4g, \"bytesPerElementStep\": %.4g, "
+                "\"plasticWork\": %.4g, \"checksum\": \"%016llx\"}\n",
+                (t.element - before.element) / total, (t.node - before.node) / total,
+                double(bytesOfStep(run.solver->data(), run.precision)) / double(elements),
+                run.solver->energies().plastic,
+                static_cast<unsigned long long>(run.solver->stateChecksum()));
+}
+
+int measure(int argc, char** argv)
+{
+    const int steps = std::atoi(argv[2]), repeats = std::atoi(argv[3]);
+    Model model = block(Index(std::atoi(argv[1])));
+    std::vector<Running> runs;
+    for (int i = 4; i < argc; ++i) {
+        const Variant variant(argv[i]);
+        model.parts[0] = variant.part();
+        variant.applyTo(model.control);
+        try {
+            runs.push_back({variant, model.control.precision, makeSolver(model), {}, {}});
+        } catch (const Error& error) {
+            if (error.code() != ExitCode::device) throw;
+            std::printf("{\"variant\": \"%s\", \"skipped\": \"%s\"}\n", variant.text.c_str(),
+                        error.what());
+            continue;
+        }
+        runs.back().solver->start();
+        runs.back().solver->advance(1, warmUp);
+        runs.back().before = runs.back().solver->times();
     }
-    std::sort(costs.begin(), costs.end());
-    std::sort(work.begin(), work.end());
-    const StepTimes t = solver->times();
-    std::printf("%d^3 %s %s: median %.1f min %.1f ns per element-step (processor: median %.1f min "
-                "%.1f; elements %.0f %%, nodes %.0f %%), "
-                "plastic work %.3g, checksum %016llx\n",
-                int(n), solver->description().c_str(), form.c_str(), costs[costs.size() / 2],
-                costs[0], work[work.size() / 2], work[0], 100 * t.element / t.total,
-                100 * t.node / t.total, solver->energies().plastic,
-                static_cast<unsigned long long>(solver->stateChecksum()));
+    for (int repeat = 0; repeat < repeats; ++repeat)
+        for (Running& run : runs) {
+            const double before = run.solver->times().total;
+            run.solver->advance(1, steps);
+            run.seconds.push_back(run.solver->times().total - before);
+        }
+    for (const Running& run : runs) {
+        print(run, model.mesh.hexahedra.size(), steps);
+        if (run.solver->clock().failed)
+            throw Error(ExitCode::numericalStop, run.variant.text + " did not stay stable");
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 5) {
+        std::fprintf(stderr, "usage: bench_block <n> <steps> <repeats> "
+                             "<backend,threads,simd,precision,form> ...\n");
+        return 2;
+    }
+    try {
+        return measure(argc, argv);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
 }

@@ -90,6 +90,7 @@ struct PairView {
     const StepClock* clock;
 
     Work reach; ///< distance at which a face is tracked
+    bool cold;  ///< projected at each step from the middle of all faces around, not tracked
     PairLaw<Work> law;
 
     FPM_KERNEL Vec3<Work> relative(Index node, Index origin) const

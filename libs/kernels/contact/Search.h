@@ -170,6 +170,8 @@ struct FindClosestParticle {
     FPM_KERNEL void operator()(Index i) const
     {
         const Index closest = closestTarget(i);
+        if (closest >= 0 && pair.cold && hasCorner(pair.face[i], closest))
+            return; // the faces around it are at hand, and projected on at every step
         NearestFaces<Work> found;
         if (closest >= 0)
             for (Index k = pair.targetFaceStart[closest]; k < pair.targetFaceStart[closest + 1];
@@ -181,6 +183,13 @@ struct FindClosestParticle {
     }
 
 private:
+    FPM_KERNEL bool hasCorner(Index face, Index target) const
+    {
+        const Index* corner = pair.faceTarget + 4 * std::size_t(face < 0 ? 0 : face);
+        return face >= 0
+               && (corner[0] == target || corner[1] == target || corner[2] == target
+                   || corner[3] == target);
+    }
     FPM_KERNEL Index closestTarget(Index i) const
     {
         const Index node = pair.contactor[i];

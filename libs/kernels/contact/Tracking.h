@@ -16,7 +16,8 @@ struct Tracked {
 /// Follows a contactor from face to face between searches: always to the nearest, by its warm
 /// projection and, where the surface is not flat, a look across the edges near it. Where faces that
 /// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
-/// so that the tracker cannot miss what the search would find.
+/// so that the tracker cannot miss what the search would find. With `projection cold` it follows
+/// nothing: it looks at all faces around a corner.
 template <class Precision>
 struct FaceTracker {
     using Work = typename Precision::Work;
@@ -31,6 +32,10 @@ struct FaceTracker {
         Candidate<Work> here;
         here.face = pair.face[i];
         FaceCorners<Work> corners = pair.corners(here.face, pair.contactor[i]);
+        if (pair.cold) {
+            aroundCorner(i, here, corners);
+            return measured(i, here, corners);
+        }
         Work xi = pair.xi[i], eta = pair.eta[i];
         if (project(corners, xi, eta) && pair.around[i] == aroundFlat && isInside(xi, eta)) {
             const Work a = clampedUnit(xi), b = clampedUnit(eta);
@@ -41,12 +46,52 @@ struct FaceTracker {
             if (hop == maxHops - 1)
                 pair.around[i] = aroundIntricate; // too far for hops: the cells know
         if (pair.around[i] == aroundIntricate) tryCells(i, here, corners);
+        return measured(i, here, corners);
+    }
+
+private:
+    FPM_KERNEL Tracked<Work>
+    measured(Index i, const Candidate<Work>& here, const FaceCorners<Work>& corners) const
+    {
         Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false};
         out.at = SignedGap<Precision>{pair, i}.at(here.face, corners, here.point, out.beyond);
         return out;
     }
 
-private:
+    /// `projection cold`, as in the paper: on every face around the corner nearest to the
+    /// contactor, from its middle.
+    FPM_KERNEL void aroundCorner(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        int nearest = 0;
+        Work least = dot(corners.corner[0], corners.corner[0]);
+        for (int k = 1; k < 4; ++k) {
+            const Work square = dot(corners.corner[k], corners.corner[k]);
+            if (!(square < least)) continue;
+            least = square;
+            nearest = k;
+        }
+        const Index start = here.face,
+                    target = pair.faceTarget[4 * std::size_t(start) + std::size_t(nearest)];
+        here.point = closestPoint(corners, Work(0), Work(0));
+        for (Index k = pair.targetFaceStart[target]; k < pair.targetFaceStart[target + 1]; ++k)
+            if (pair.targetFaces[k] != start) moved(i, pair.targetFaces[k], here, corners);
+    }
+
+    /// Moves to a face that is nearer by more than rounding.
+    FPM_KERNEL bool
+    moved(Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) return false;
+        const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
+        const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
+        if (!(found.square < less * here.point.square)
+            || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
+            return false;
+        here = {other, found, 0};
+        corners = there;
+        return true;
+    }
+
     /// Moves to a neighbour that is nearer by more than rounding, if there is one.
     FPM_KERNEL bool hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
     {
@@ -60,18 +105,8 @@ private:
             count = pair.targetFaceStart[target + 1] - pair.targetFaceStart[target];
         } else
             count = acrossEdges(i, here, corners, across);
-        for (Index k = 0; k < count; ++k) {
-            const Index other = list[k];
-            if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) continue;
-            const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
-            const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
-            if (!(found.square < less * here.point.square)
-                || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
-                continue;
-            here = {other, found, 0};
-            corners = there;
-            return true;
-        }
+        for (Index k = 0; k < count; ++k)
+            if (moved(i, list[k], here, corners)) return true;
         return false;
     }
 

@@ -21,12 +21,15 @@ class Failed(Exception):
 class CaseRun:
     """Copies `source` (relative to the project), changes entries, runs applications, reads results."""
 
-    def __init__(self, source, binaries):
+    timeout = 900  # seconds of one application
+
+    def __init__(self, source, binaries, meshed=False):
         self.binaries = pathlib.Path(binaries).resolve()
         self.folder = tempfile.TemporaryDirectory(prefix="fpmCase.")
         self.root = pathlib.Path(self.folder.name) / pathlib.Path(source).name
+        made = () if meshed else ("mesh.vtkhdf",)
         left = shutil.ignore_patterns(
-            "postProcessing", "mesh.vtkhdf", "fields.vtkhdf", "log.*", "status", "*.series", ".lock",
+            "postProcessing", *made, "fields.vtkhdf", "log.*", "status", "*.series", ".lock",
             "*e-*", "0.*")
         shutil.copytree(PROJECT / source, self.root, ignore=left)
 
@@ -47,7 +50,7 @@ class CaseRun:
     def start(self, application, *options, **environment):
         """Runs an application and returns what came of it, whatever that is."""
         return subprocess.run(
-            [self.binaries / application, *options], cwd=self.root, text=True, timeout=900,
+            [self.binaries / application, *options], cwd=self.root, text=True, timeout=self.timeout,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **environment})
 
     def run(self, application, *options):

@@ -45,7 +45,8 @@ def complete(binaries, marks):
         marks.true(f"{len(plots)} plots, {len(pictures)} pictures", plots and pictures)
         performance = case.performance()
         wanted = {"elements", "nodes", "contactors", "steps", "wallSeconds", "nsPerElementStep",
-                  "contactShare", "searches", "backend", "precision", "description", "deviceBytes"}
+                  "contactShare", "searches", "backend", "precision", "description", "deviceBytes",
+                  "nsPerContactorStep", "bytesPerElementStep", "algorithm", "checksum"}
         marks.true("keys of performance.json", wanted <= performance.keys())
         marks.true("elements of performance.json", performance["elements"] == 3 * 144 + 12 * 8)
         pairs = sorted(p.stem for p in (case.root / "postProcessing/contactForces/0").iterdir())

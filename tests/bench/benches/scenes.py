@@ -1,0 +1,169 @@
+"""Scenes with contact, from the tutorials, meshed here or before (`--cases`)."""
+
+import pathlib
+import re
+import shutil
+
+from benches.results import Row
+from driver.caseRun import CaseRun
+
+PAIR = r"(?<=target)( +[\w.]+;)"
+
+
+class Scene(CaseRun):
+    """A meshed copy of a tutorial, or of a case that was prepared."""
+
+    timeout = 7200
+
+    def __init__(self, tutorial, name, options, edits=(), before=None):
+        self.name = name
+        prepared = options.cases and pathlib.Path(options.cases).resolve() / name
+        if prepared and prepared.exists():
+            super().__init__(prepared, options.binaries, meshed=True)
+            return
+        super().__init__(f"tutorials/{tutorial}", options.binaries)
+        for file, pattern, text in edits:
+            self.replace(file, pattern, text)
+        if before:
+            before(self)
+        self.mesh()
+
+    def keep(self, folder):
+        shutil.copytree(self.root, pathlib.Path(folder) / self.name, dirs_exist_ok=True)
+
+
+def plate(options, name="plate"):
+    cells = options.plateCells
+    return Scene("plateImpact", name, options,
+                 [("system/meshDict", r"cells +\(50 50 1\)", f"cells ({cells} {cells} 1)")])
+
+
+def tube(options):
+    return Scene("squeezedTube", "tube", options)
+
+
+def layers(options, count):
+    """`count` layers of cells x cells; the layered plate of the paper has 250 x 250."""
+    end = options.layerSteps * options.dt
+    return Scene("layeredPlate", f"layers.{count}", options, [
+        ("system/meshDict", r"^layers +\d+;", f"layers {count};"),
+        ("system/meshDict", r"^cells +\([0-9 ]+\);", f"cells ({options.cells} {options.cells} 1);"),
+        ("system/controlDict", r"fixed [0-9.e-]+;", f"fixed {options.dt!r};"),
+        ("system/controlDict", r"^endTime +\S+;", f"endTime {end!r};"),
+        ("system/controlDict", r"^writeInterval +\S+;", f"writeInterval {end!r};"),
+    ], before=lambda scene: scene.run(scene.root / "makeLayers"))
+
+
+class Variant:
+    """One way to run a scene: machine, precision, algorithm; changes of its dictionaries."""
+
+    def __init__(self, backend, threads, simd, precision, algorithm="default", edits=(),
+                 contact=True):
+        self.backend, self.threads, self.simd, self.precision = backend, threads, simd, precision
+        self.algorithm, self.edits, self.contact = algorithm, edits, contact
+
+    def start(self, scene, steps):
+        """Runs the scene and returns performance.json; the dictionaries are put back."""
+        files = {file: (scene.root / file).read_text()
+                 for file in ("system/controlDict", "system/contactDict", "constant/partProperties")}
+        try:
+            if self.algorithm == "paper":
+                with open(scene.root / "system/controlDict", "a") as control:
+                    control.write("\nalgorithm paper;\n")
+            for file, pattern, text, count in self.edits:
+                scene.replace(file, pattern, text,
+                              count or len(re.findall(pattern, files[file], re.M)))
+            if not self.contact:
+                (scene.root / "system/contactDict").unlink()
+                scene.replace("system/controlDict", r"^ +contactForces +\{ type contactForces; \}",
+                              "")
+            options = ["-backend", self.backend, "-precision", self.precision]
+            if self.backend != "cuda":
+                options += ["-simd", self.simd]
+            if self.backend == "openmp":
+                options += ["-threads", str(self.threads)]
+            if steps:
+                options += ["-maxSteps", str(steps)]
+            scene.run("fpmExplicit", *options)
+            return scene.performance()
+        finally:
+            for file, text in files.items():
+                (scene.root / file).write_text(text)
+
+
+def measure(scene, variants, repeats, steps):
+    """Variants in turn, `repeats` times; a row of each."""
+    told = [[] for _ in variants]
+    for _ in range(repeats):
+        for variant, runs in zip(variants, told):
+            runs.append(variant.start(scene, steps))
+    rows = []
+    for variant, runs in zip(variants, told):
+        runs.sort(key=lambda run: run["wallSeconds"])
+        found = runs[len(runs) // 2]  # the share is that of the median
+        simd = "" if variant.backend == "cuda" else found["description"].split(", ")[2]
+        name = scene.name if variant.contact else f"{scene.name}.noContact"
+        rows.append(Row(name, variant.backend, variant.threads, simd, variant.precision,
+                        variant.algorithm, found["elements"], found["contactors"], found["steps"],
+                        [run["wallSeconds"] for run in runs], found["contactShare"],
+                        None if found["contactors"] else found["bytesPerElementStep"],
+                        found["checksum"]))
+    shareContact(rows)
+    return rows
+
+
+def shareContact(rows):
+    """A GPU tells no shares: that of contact is what the same run costs more than without."""
+    for row in rows:
+        if row.backend != "cuda" or row.contactShare is not None or not row.contactors:
+            continue
+        for bare in rows:
+            if (bare.case == f"{row.case}.noContact" and bare.precision == row.precision):
+                row.contactShare = max(0.0, 1 - bare.nanoseconds(bare.wall)
+                                       / row.nanoseconds(row.wall))
+
+
+def ways(machine, options):
+    """What every scene is run with."""
+    chosen = []
+    if "cpu" in options.on:
+        chosen += [Variant("serial", 1, "auto", "double"),
+                   Variant("serial", 1, "auto", "double", "paper"),
+                   Variant("openmp", machine.cores, "auto", "double"),
+                   Variant("openmp", machine.cores, "auto", "mixed")]
+    if machine.gpu and "gpu" in options.on:
+        for precision in ("double", "mixed", "single"):
+            chosen += [Variant("cuda", 0, "", precision),
+                       Variant("cuda", 0, "", precision, contact=False)]
+        chosen.append(Variant("cuda", 0, "", "double", "paper"))
+    return chosen
+
+
+def ladder(machine, options):
+    """From the paper's algorithm to ours, one improvement after the other."""
+    def pairs(text):
+        return ("system/contactDict", PAIR, rf"\1 {text}", 0)
+
+    cold = "search closestParticle; projection cold;"
+    start = ("system/controlDict", r"\A", "strainGeometry start;\n", 1)
+    steps = [("paper", ()),
+             ("+ rotation of the middle surface", (start, pairs(cold))),
+             ("+ strain at mid-step", (pairs(cold),)),
+             ("+ search by faces", (pairs("projection cold;"),)),
+             ("+ tracked projection = default", ())]
+    rungs = []
+    if "cpu" in options.on:
+        rungs.append(Variant("serial", 1, "scalar", "double", "paper"))
+        rungs += [Variant("serial", 1, "auto", "double", name, edits) for name, edits in steps]
+        rungs += [Variant("serial", 1, "auto", "mixed", "+ mixed precision"),
+                  Variant("openmp", machine.cores, "auto", "mixed", "+ all cores")]
+    if machine.gpu and "gpu" in options.on:
+        rungs += [Variant("cuda", 0, "", "double", name, edits) for name, edits in steps]
+        rungs.append(Variant("cuda", 0, "", "mixed", "+ mixed precision"))
+    return rungs
+
+
+def prepared(options):
+    """Every scene there is, for a machine without gmsh: name and how to make it."""
+    scenes = {f"layers.{count}": (lambda c=count: layers(options, c)) for count in options.layers}
+    return {"plate": lambda: plate(options), "tube": lambda: tube(options), **scenes}
