@@ -9,7 +9,7 @@ namespace fpm {
 namespace {
 
 constexpr std::size_t mostEdits = 2;
-constexpr std::size_t mostNames = 30;
+constexpr std::size_t mostNames = 48;
 
 } // namespace
 

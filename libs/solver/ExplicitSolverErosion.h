@@ -53,7 +53,7 @@ static void carry(const Array<T, Executor>& old,
                   const std::vector<Index>& from,
                   std::size_t oldCount)
 {
-    if (oldCount == 0 || old.size() == 0 || from.empty()) return;
+    if (oldCount == 0 || old.size() == 0 || renewed.size() == 0 || from.empty()) return;
     const std::vector<T> before = old.toHost();
     std::vector<T> after = renewed.toHost();
     for (std::size_t plane = 0; plane < before.size() / oldCount; ++plane)

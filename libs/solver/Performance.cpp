@@ -156,8 +156,8 @@ std::string performanceText(const Solver& solver, const Model& model, const std:
     const double steps = double(clock.steps), elements = double(model.mesh.hexahedra.size()),
                  touching = double(contactors(model)), contact = t.contact + t.search;
     const bool known = t.element > 0;
-    const auto over = [](double part, double whole, bool known, int digits) {
-        return known && whole > 0 ? toText(part / whole, digits) : std::string("null");
+    const auto over = [](double part, double whole, bool told, int digits) {
+        return told && whole > 0 ? toText(part / whole, digits) : std::string("null");
     };
     return format("{\n  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
                   model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),

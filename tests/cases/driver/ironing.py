@@ -11,6 +11,7 @@ from driver.gmshFile import Hexahedra
 from driver.scene import PHYSICAL, Scene, elastic
 
 PRESS, END = 1.2e-3, 4e-3  # s: 1 mm down, then 10 mm along; slow against the waves (1e6 mm/s)
+MIDDLE = (PRESS + END) / 2
 BANDS = {"pressed, vertical": (267.9, 332.0), "pressed, horizontal": (55.0, 71.0),
          "dragged, vertical": (337.4, 421.0), "dragged, horizontal": (102.1, 188.8)}
 
@@ -26,7 +27,7 @@ def punch(cells):
     return mesh.text()
 
 
-def ironed(binaries, block, cells, friction=0.3):
+def ironed(binaries, block, cells, end=END, friction=0.3):
     held = "type fixed; components (z);"
     return Scene(
         binaries,
@@ -44,10 +45,11 @@ def ironed(binaries, block, cells, friction=0.3):
                    "drag { type displacement; set top; value (10 0 0); components (x); "
                    f"amplitude smooth ((0 0) ({PRESS} 0) ({END} 1)); }}",
         # The finer side is the contactor: nodes of a coarse block would let the punch's corners sink
-        # in between them.
+        # in between them. It must be finer: nodes of the block that are no further apart than the
+        # punch's sink into the front corner, and the surface folds.
         pairs=f"ironing {{ contactor under; target block.yMax; friction {friction}; "
               "normalScale 1; }",
-        end=END, rows=3000, frames=3,
+        end=end, rows=3000, frames=3,
         control="massDamping 3e3;").all()
 
 
@@ -59,15 +61,14 @@ def mean(times, values, start, end):
 def forces(case):
     """Forces on the punch, N, where the literature has them: upwards and against the drag."""
     f = case.contact("ironing")
-    middle = (PRESS + END) / 2
     return {"pressed, vertical": mean(f["time"], f["fy"], 0.98 * PRESS, PRESS),
             "pressed, horizontal": mean(f["time"], [abs(x) for x in f["fx"]], 0.98 * PRESS, PRESS),
-            "dragged, vertical": mean(f["time"], f["fy"], middle - 5e-5, middle + 5e-5),
-            "dragged, horizontal": -mean(f["time"], f["fx"], middle - 5e-5, middle + 5e-5)}
+            "dragged, vertical": mean(f["time"], f["fy"], MIDDLE - 5e-5, MIDDLE + 5e-5),
+            "dragged, horizontal": -mean(f["time"], f["fx"], MIDDLE - 5e-5, MIDDLE + 5e-5)}
 
 
-def run(binaries, marks, block, cells):
-    with ironed(binaries, block, cells) as case:
+def run(binaries, marks, block, cells, end=END):
+    with ironed(binaries, block, cells, end) as case:
         found = forces(case)
         for name, band in BANDS.items():
             marks.within(f"{block[0]} x {block[1]} {name}", found[name], *band, " N")
@@ -79,4 +80,6 @@ def coarse(binaries, marks):
 
 
 def check(binaries, marks):
-    run(binaries, marks, (120, 30), (12, 6))
+    """Both sides twice as fine, until the forces have been taken: at 3 ms, in the unloaded block
+    behind the punch, the physical hourglass form flutters (doc/limits.md)."""
+    run(binaries, marks, (120, 30), (24, 12), MIDDLE + 1e-4)

@@ -187,6 +187,38 @@ TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
     EXPECT_EQ(std::ranges::count(values.deleted, true), 1);
 }
 
+/// Faces of unlike stiffness have springs that remember theirs; when the odd one is deleted, the
+/// rest are alike and need no memory.
+TEST(Erosion, FacesMayBecomeAlike)
+{
+    Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
+    part.erosion.plasticStrain = 0.01;
+    Model model = boxModel({2, 1, 1}, {2, 1, 1}, part);
+    for (Point& p : model.mesh.points)
+        if (p[0] < 1e-9) p[0] = 0.2; // the left cell is narrower, the right one a cube
+    addBox(model.mesh, "lid", {2, 2, 1}, {1.2, 0.1, 0.99}, {0.7, 0.8, 0.5});
+    renumber(model.mesh);
+    model.parts.push_back(aluminium(PartKind::elastic, HourglassForm::stiffness, "lid"));
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::velocity, "crush",
+                  nodesWhere(model.mesh, [](Point p) { return p[0] < 0.21; }), {true, true, true},
+                  {1e4, 0, 0}));
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] > 0.21; }));
+    addContact(model, "touch", facing(model.mesh, "lid", {0, 0, -1}),
+               facing(model.mesh, "box", {0, 0, 1}));
+    model.control.backend = "serial";
+    const auto solver = startedSolver(model);
+    EXPECT_TRUE(solver->data().pairs[0].unequalFaces);
+    solver->advance(1, 2);
+    const PairForce before = solver->pairForce(0);
+    EXPECT_EQ(before.active, 9);
+    solver->advance(9e-5, 1000000);
+    ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
+    EXPECT_FALSE(solver->data().pairs[0].unequalFaces);
+    EXPECT_EQ(solver->pairForce(0).active, 9);
+    EXPECT_NEAR(solver->pairForce(0).force[2], before.force[2], 1e-9 * before.force[2]);
+}
+
 /// `layers` in general contact with friction and damping.
 Model generalLayers(PartKind stamp)
 {
