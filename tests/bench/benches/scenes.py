@@ -5,7 +5,7 @@ import re
 import shutil
 
 from benches.results import Row
-from driver.caseRun import CaseRun
+from driver.caseRun import CaseRun, Failed
 
 PAIR = r"(?<=target)( +[\w.]+;)"
 
@@ -91,14 +91,24 @@ class Variant:
                 (scene.root / file).write_text(text)
 
 
-def measure(scene, variants, repeats, steps):
-    """Variants in turn, `repeats` times; a row of each."""
-    told = [[] for _ in variants]
+def measure(scene, variants, repeats, steps, notes):
+    """Variants in turn, `repeats` times; a row of each, or a note why there is none."""
+    told, failed = [[] for _ in variants], set()
     for _ in range(repeats):
         for variant, runs in zip(variants, told):
-            runs.append(variant.start(scene, steps))
+            if variant in failed:
+                continue
+            try:
+                runs.append(variant.start(scene, steps))
+            except Failed as failure:  # an algorithm may be unable to; the others go on
+                failed.add(variant)
+                first, *_, last = str(failure).splitlines()
+                notes.append(f"{scene.name}, {variant.backend} {variant.precision} "
+                             f"{variant.algorithm}, left out: {first} {last}")
     rows = []
     for variant, runs in zip(variants, told):
+        if variant in failed:
+            continue
         runs.sort(key=lambda run: run["wallSeconds"])
         found = runs[len(runs) // 2]  # the share is that of the median
         simd = "" if variant.backend == "cuda" else found["description"].split(", ")[2]
