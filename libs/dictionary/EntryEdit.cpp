@@ -57,7 +57,7 @@ EntryEdit replaced(const Document& document, const Entry& entry, std::string_vie
     const Token& key = entry.keyword;
     const auto& source = document.files[key.file];
     if (entry.values.empty())
-        return edited(source, key.offset + key.length, 0, " " + std::string(value));
+        return edited(source, key.offset + key.length, 0, format(" {}", value));
     const Token &first = entry.values.front(), &last = entry.values.back();
     return edited(source, first.offset, last.offset + last.length - first.offset,
                   std::string(value));
