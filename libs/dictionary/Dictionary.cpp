@@ -59,6 +59,28 @@ void collectPaths(const DictionaryNode& node,
     }
 }
 
+void addText(const DictionaryNode& node, std::string& text)
+{
+    const auto& document = *node.document;
+    for (const auto& entry : node.entries) {
+        if (entry.isDictionary() && document.nodes[entry.node].isFree) continue;
+        text += document.unquoted(entry.keyword);
+        const auto addNested = [&](std::uint32_t number) {
+            text += " {\n";
+            addText(document.nodes[number], text);
+            text += "}";
+        };
+        if (entry.isDictionary()) addNested(entry.node);
+        for (const auto& value : entry.values) {
+            if (value.kind == TokenKind::dictionary)
+                addNested(value.node);
+            else
+                text.append(" ").append(document.text(value));
+        }
+        text += ";\n";
+    }
+}
+
 } // namespace
 
 Dictionary Dictionary::read(const std::filesystem::path& file, const std::filesystem::path& root)
@@ -136,6 +158,13 @@ std::vector<Dictionary> Dictionary::subList(std::string_view key) const
         result.push_back(Dictionary({node_, &item}));
     }
     return result;
+}
+
+std::string Dictionary::canonicalText() const
+{
+    std::string text;
+    addText(*node_, text);
+    return text;
 }
 
 void Dictionary::requireAllUsed() const

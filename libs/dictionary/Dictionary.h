@@ -69,6 +69,9 @@ public:
     Point vectorOr(std::string_view key, const Point& preset) const;
     std::vector<double> numbers(std::string_view key) const;    ///< (a b c ...), any length
     std::vector<std::string> words(std::string_view key) const; ///< (a b) or a single word
+    /// The values of a list as they are written, lists within it in one piece; a single value is a
+    /// list of one.
+    std::vector<std::string> items(std::string_view key) const;
     /// ((a b) (c d) ...): rows of `columns` numbers each.
     std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns) const;
     /// The words and lists of an entry as "word list" pairs: `amplitude table ((0 0) (1 1));`
@@ -80,6 +83,10 @@ public:
     Dictionary sub(std::string_view key) const;                  ///< required sub-dictionary
     Dictionary subOrEmpty(std::string_view key) const;           ///< an absent one reads as empty
     std::vector<Dictionary> subList(std::string_view key) const; ///< ( { } { } )
+
+    /// All entries in their order with macros expanded and neither comments nor layout: equal texts
+    /// say the same. Without the top's FoamFile and user. Marks nothing as used.
+    std::string canonicalText() const;
 
     /// Throws for the first entry nobody read, here and in every sub-dictionary that was opened:
     /// "unknown keyword", nearest valid key, the keys valid here (= those asked for so far).

@@ -111,6 +111,11 @@ std::vector<std::string> Dictionary::words(std::string_view key) const
     return ValueReader(*node_, key, "a word or a list of words (a b ...)").words();
 }
 
+std::vector<std::string> Dictionary::items(std::string_view key) const
+{
+    return ValueReader(*node_, key, "a value or a list of values (a b ...)").items();
+}
+
 std::vector<std::vector<double>> Dictionary::rows(std::string_view key, std::size_t columns) const
 {
     return ValueReader(*node_, key, rowsOf(columns)).rows(0, columns);

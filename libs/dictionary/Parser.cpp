@@ -25,13 +25,14 @@ void reportFaults(const Document& document, const Stage& stage, Action action)
 }
 
 template <class Action>
-std::shared_ptr<Document> parse(const std::filesystem::path& root, Action action)
+std::shared_ptr<Document> parse(const std::filesystem::path& root, Macros macros, Action action)
 {
     auto document = std::make_shared<Document>();
     document->addNode(nullptr, "");
 
     EntryParser parser(*document, root);
     reportFaults(*document, parser, [&] { action(parser); });
+    if (macros == Macros::keep) return document;
     MacroExpander expander(*document);
     reportFaults(*document, expander, [&] { expander.expandAll(); });
     return document;
@@ -49,11 +50,11 @@ FileContent readMain(const std::filesystem::path& file, const std::filesystem::p
 
 } // namespace
 
-std::shared_ptr<Document> parseFile(const std::filesystem::path& file,
-                                    const std::filesystem::path& root)
+std::shared_ptr<Document>
+parseFile(const std::filesystem::path& file, const std::filesystem::path& root, Macros macros)
 {
     auto content = readMain(file, root);
-    return parse(root, [&](EntryParser& parser) { parser.parse(std::move(content)); });
+    return parse(root, macros, [&](EntryParser& parser) { parser.parse(std::move(content)); });
 }
 
 std::shared_ptr<Document> parseText(std::string text, const std::string& name)
@@ -61,7 +62,8 @@ std::shared_ptr<Document> parseText(std::string text, const std::string& name)
     if (text.size() > limits::fileBytes)
         throw Error(ExitCode::dictionary,
                     format("{} has more than {} MiB", name, limits::fileBytes >> 20));
-    return parse({}, [&](EntryParser& parser) { parser.parse(std::move(text), name); });
+    return parse({}, Macros::expand,
+                 [&](EntryParser& parser) { parser.parse(std::move(text), name); });
 }
 
 } // namespace fpm

@@ -7,10 +7,13 @@
 
 namespace fpm {
 
-/// Reads `file` and what it includes, all beneath `root`; macros are expanded. Throws InputError
-/// (grammar), Error(dictionary) (refused file), Error(fileIo) (unreadable file).
+enum class Macros { expand, keep };
+
+/// Reads `file` and what it includes, all beneath `root`. Throws InputError (grammar),
+/// Error(dictionary) (refused file), Error(fileIo) (unreadable file).
 std::shared_ptr<Document> parseFile(const std::filesystem::path& file,
-                                    const std::filesystem::path& root);
+                                    const std::filesystem::path& root,
+                                    Macros macros = Macros::expand);
 
 /// The same for a text in memory, which cannot include files.
 std::shared_ptr<Document> parseText(std::string text, const std::string& name);

@@ -154,6 +154,24 @@ std::vector<std::string> ValueReader::words() const
     return result;
 }
 
+std::vector<std::string> ValueReader::items() const
+{
+    const bool isOne = entry_->values.size() == 1;
+    std::vector<std::string> result;
+    int depth = 0;
+    for (const auto& value : isOne ? std::span<const Token>(entry_->values) : bracketed(0)) {
+        if (value.kind == TokenKind::dictionary) refuse({&value, 1}, "");
+        const bool closes = value.kind == TokenKind::closeBracket;
+        const auto text = node_.document->text(value);
+        if (depth == 0)
+            result.emplace_back(text);
+        else
+            result.back().append(closes || result.back().ends_with('(') ? "" : " ").append(text);
+        depth += int(value.kind == TokenKind::openBracket) - int(closes);
+    }
+    return result;
+}
+
 std::vector<double> ValueReader::list(std::size_t skipped) const
 {
     std::vector<double> result;

@@ -30,6 +30,7 @@ public:
     std::string choice(const std::vector<std::string>& allowed) const;
     std::string firstWord() const;
     std::vector<std::string> words() const;
+    std::vector<std::string> items() const;
     /// `skipped` values at the front are not looked at.
     std::vector<double> list(std::size_t skipped) const;
     std::vector<std::vector<double>> rows(std::size_t skipped, std::size_t columns) const;

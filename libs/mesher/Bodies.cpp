@@ -15,16 +15,20 @@ namespace fpm {
 
 namespace {
 
-Bodies::Entry readEntry(const std::string& name, const Dictionary& entry)
+Bodies::Entry readEntry(const std::string& name, const Dictionary& entry, int refinement)
 {
     const std::string type =
         entry.choice("type", {"box", "layers", "cylinder", "hollowCylinder", "file"});
-    if (type == "box") return {name, {readBox(name, entry)}, ""};
-    if (type == "layers") return {name, readLayers(name, entry), ""};
-    if (type == "cylinder") return {name, {readCylinder(name, entry)}, ""};
-    if (type == "hollowCylinder") return {name, {readHollowCylinder(name, entry)}, ""};
+    if (type == "box") return {name, {readBox(name, entry, refinement)}, ""};
+    if (type == "layers") return {name, readLayers(name, entry, refinement), ""};
+    if (type == "cylinder") return {name, {readCylinder(name, entry, refinement)}, ""};
+    if (type == "hollowCylinder") return {name, {readHollowCylinder(name, entry, refinement)}, ""};
     const std::string file = entry.word("file");
     if (file.empty()) entry.fail("file", "'file' must name a .msh file, found \"\"");
+    if (refinement > 1)
+        entry.fail("file",
+                   format("a mesh file cannot be refined, and 'refinement' is {}", refinement),
+                   "make a finer file, or leave out 'refinement'");
     return {name, {}, file};
 }
 
@@ -94,13 +98,13 @@ Mesh readFile(const Bodies::Entry& entry, const Case& theCase, bool allowGeo, Lo
 
 } // namespace
 
-Bodies Bodies::read(const Dictionary& bodies)
+Bodies Bodies::read(const Dictionary& bodies, int refinement)
 {
     Bodies read;
     for (const auto& name : bodies.keys()) {
         if (!isName(name))
             bodies.fail(name, format("'{}' cannot name a part: expected {}", name, nameRule));
-        read.entries.push_back(readEntry(name, bodies.sub(name)));
+        read.entries.push_back(readEntry(name, bodies.sub(name), refinement));
     }
     return read;
 }

@@ -20,7 +20,8 @@ struct Bodies {
     };
     std::vector<Entry> entries;
 
-    static Bodies read(const Dictionary& bodies);
+    /// `refinement` cuts every cell of every body; files cannot be refined. Throws InputError.
+    static Bodies read(const Dictionary& bodies, int refinement);
 };
 
 /// The bodies as one mesh, and which parts came from which entry.

@@ -3,6 +3,7 @@
 #include "mesher/Stations.h"
 
 #include <array>
+#include <cmath>
 
 namespace fpm {
 
@@ -14,7 +15,14 @@ struct Block {
     std::int64_t cellCount;
 };
 
-Block readBlock(const Dictionary& entry)
+/// The grading that keeps the stations of the unrefined row among those of the refined one.
+double refinedGrading(double grading, int cells, int refinement)
+{
+    if (cells == 1) return 1;
+    return std::pow(grading, (double(cells) * refinement - 1) / (double(cells - 1) * refinement));
+}
+
+Block readBlock(const Dictionary& entry, int refinement)
 {
     constexpr double mostGrading = 1e6;
     Block block{readCells(entry, "cells"), entry.vectorOr("grading", {1, 1, 1}), 1};
@@ -23,7 +31,12 @@ Block readBlock(const Dictionary& entry)
             entry.fail(
                 "grading",
                 format("'grading' must be three numbers between 1e-06 and 1e+06, found {}", ratio));
-    for (const int cells : block.cells) block.cellCount *= cells;
+    for (int k = 0; k < 3; ++k) {
+        if (refinement > 1)
+            block.grading[k] = refinedGrading(block.grading[k], block.cells[k], refinement);
+        block.cells[k] = refined(entry, "cells", block.cells[k], refinement, maxCellsInRow);
+        block.cellCount *= block.cells[k];
+    }
     requireCountable(entry, "cells", block.cellCount);
     return block;
 }
@@ -72,19 +85,19 @@ Shape boxShape(const std::string& name,
 
 } // namespace
 
-Shape readBox(const std::string& name, const Dictionary& entry)
+Shape readBox(const std::string& name, const Dictionary& entry, int refinement)
 {
     const Point origin = entry.vector("origin"), size = readSize(entry);
-    return boxShape(name, entry, readBlock(entry), origin,
+    return boxShape(name, entry, readBlock(entry, refinement), origin,
                     {origin[0] + size[0], origin[1] + size[1], origin[2] + size[2]});
 }
 
-std::vector<Shape> readLayers(const std::string& name, const Dictionary& entry)
+std::vector<Shape> readLayers(const std::string& name, const Dictionary& entry, int refinement)
 {
     constexpr int mostLayers = 1000;
     const Point origin = entry.vector("origin"), size = readSize(entry);
     const int count = int(entry.integer("count", 1, mostLayers));
-    const Block block = readBlock(entry);
+    const Block block = readBlock(entry, refinement);
     requireCountable(entry, "count", count * block.cellCount);
     // One list of heights for all: the top of a layer and the bottom of the next are the same
     // number.

@@ -20,14 +20,17 @@ bool inCore(const Point& at)
 
 } // namespace
 
-Shape readCylinder(const std::string& name, const Dictionary& entry)
+Shape readCylinder(const std::string& name, const Dictionary& entry, int refinement)
 {
     const Placement placement = Placement::read(entry);
     const double radius = entry.number("radius", positive());
     const double height = entry.number("height", positive());
-    const int core = int(entry.integer("core", 1, mostCellsAcross));
-    const int rings = int(entry.integer("rings", 1, mostCellsAcross));
-    const int axial = int(entry.integer("axial", 1, maxCellsInRow));
+    const auto cells = [&](std::string_view key, int most) {
+        return refined(entry, key, int(entry.integer(key, 1, most)), refinement, most);
+    };
+    const int core = cells("core", mostCellsAcross);
+    const int rings = cells("rings", mostCellsAcross);
+    const int axial = cells("axial", maxCellsInRow);
     const int quarters = placement.quarters;
 
     Shape shape;

@@ -22,7 +22,7 @@ int angleStep(double x, double y, int steps, int quarters)
 
 } // namespace
 
-Shape readHollowCylinder(const std::string& name, const Dictionary& entry)
+Shape readHollowCylinder(const std::string& name, const Dictionary& entry, int refinement)
 {
     const Placement placement = Placement::read(entry);
     const double innerRadius = entry.number("innerRadius", positive());
@@ -34,9 +34,12 @@ Shape readHollowCylinder(const std::string& name, const Dictionary& entry)
     const double height = entry.number("height", positive());
     const int quarters = placement.quarters;
     const int fewest = quarters == 4 ? 3 : quarters; // no cell may span half a turn
-    const int around = int(entry.integer("circumferential", fewest, maxCellsInRow));
-    const int radial = int(entry.integer("radial", 1, mostCellsAcross));
-    const int axial = int(entry.integer("axial", 1, maxCellsInRow));
+    const auto cells = [&](std::string_view key, int least, int most) {
+        return refined(entry, key, int(entry.integer(key, least, most)), refinement, most);
+    };
+    const int around = cells("circumferential", fewest, maxCellsInRow);
+    const int radial = cells("radial", 1, mostCellsAcross);
+    const int axial = cells("axial", 1, maxCellsInRow);
 
     Shape shape;
     shape.name = name;

@@ -10,7 +10,8 @@ Mesh makeMesh(const Dictionary& meshDict, const Case& theCase, bool allowGeo, Lo
 {
     // Everything is read before anything is meshed: a typo in the last set must not cost minutes.
     const Dictionary entries = meshDict.sub("bodies");
-    const Bodies bodies = Bodies::read(entries);
+    const int refinement = int(meshDict.integerOr("refinement", 1, 1, 1000));
+    const Bodies bodies = Bodies::read(entries, refinement);
     if (bodies.entries.empty()) meshDict.fail("bodies", "'bodies' must hold at least one body");
     const auto sets = readSets(meshDict.subOrEmpty("sets"));
     meshDict.requireAllUsed();

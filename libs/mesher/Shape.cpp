@@ -101,6 +101,16 @@ std::array<int, 3> readCells(const Dictionary& entry, std::string_view key)
     return cells;
 }
 
+int refined(const Dictionary& entry, std::string_view key, int cells, int refinement, int most)
+{
+    const std::int64_t count = std::int64_t(cells) * refinement;
+    if (count > most)
+        entry.fail(key,
+                   format("{} cells times refinement {} are more than {}", cells, refinement, most),
+                   "use fewer cells or less refinement");
+    return int(count);
+}
+
 void requireCountable(const Dictionary& entry, std::string_view key, std::int64_t cells)
 {
     constexpr std::int64_t most = std::numeric_limits<Index>::max();

@@ -34,22 +34,25 @@ struct Shape {
     std::function<std::array<Point, 3>(const Point&)> axes;
 };
 
-/// `type box`: one shape. Throws InputError, as do the readers below.
-Shape readBox(const std::string& name, const Dictionary& entry);
+/// `type box`: one shape. Every cell is cut into `refinement` in each direction, here and below.
+/// Throws InputError, as do all of these.
+Shape readBox(const std::string& name, const Dictionary& entry, int refinement);
 /// `type layers`: `count` boxes on top of one another, <name>1 at the bottom.
-std::vector<Shape> readLayers(const std::string& name, const Dictionary& entry);
+std::vector<Shape> readLayers(const std::string& name, const Dictionary& entry, int refinement);
 /// `type cylinder`: a solid cylinder, or half or a quarter of it.
-Shape readCylinder(const std::string& name, const Dictionary& entry);
+Shape readCylinder(const std::string& name, const Dictionary& entry, int refinement);
 /// `type hollowCylinder`: a tube, or half or a quarter of it.
-Shape readHollowCylinder(const std::string& name, const Dictionary& entry);
+Shape readHollowCylinder(const std::string& name, const Dictionary& entry, int refinement);
 
 /// Meshes the shape: one part, its automatic side sets, hexahedra along `axes`.
 Mesh meshShape(const Shape& shape, Log& log);
 
 /// Largest count of cells along one direction of a body.
 inline constexpr int maxCellsInRow = 100'000;
-/// Three whole numbers 1 ... maxCellsInRow under `key`.
+/// Three whole numbers 1 ... maxCellsInRow under `key`, before refinement.
 std::array<int, 3> readCells(const Dictionary& entry, std::string_view key);
+/// `cells` cut into `refinement` each; refuses, at `key`, more than `most`.
+int refined(const Dictionary& entry, std::string_view key, int cells, int refinement, int most);
 /// Refuses, at `key`, a body with more cells or nodes than an Index can count.
 void requireCountable(const Dictionary& entry, std::string_view key, std::int64_t cells);
 

@@ -1,0 +1,134 @@
+#include "study/CaseCopy.h"
+
+#include "application/Confinement.h"
+#include "base/Format.h"
+#include "dictionary/EntryEdit.h"
+#include "dictionary/Number.h"
+#include "io/AtomicFile.h"
+#include "io/Checksum.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+namespace fpm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array runDictionaries{
+    "constant/caseProperties", "constant/partProperties", "constant/boundaryConditions",
+    "0/initialConditions",     "system/meshDict",         "system/contactDict",
+    "system/controlDict"};
+
+std::string bytesOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream) throw Error(ExitCode::fileIo, format("cannot read {}", file.string()));
+    return text.str();
+}
+
+/// Whether a file or folder of the case goes into its copies.
+bool isInput(const fs::path& root, const fs::path& relative)
+{
+    const auto name = relative.filename().string();
+    if (name.starts_with('.')) return false;
+    if (!relative.has_parent_path()) return !isResult(name);
+    if (relative == "constant/mesh.vtkhdf") return !fs::exists(root / "system/meshDict");
+    return relative != "0/fields.vtkhdf";
+}
+
+void copyTree(const fs::path& root, const fs::path& from, const fs::path& to, bool all)
+{
+    fs::create_directories(to);
+    for (fs::recursive_directory_iterator entry(from), end; entry != end; ++entry) {
+        const auto relative = entry->path().lexically_relative(from);
+        if (!all && !isInput(root, relative)) {
+            if (entry->is_directory()) entry.disable_recursion_pending();
+            continue;
+        }
+        confinedPath(root, entry->path().lexically_relative(root).string());
+        if (entry->is_symlink() && entry->is_directory())
+            throw Error(ExitCode::fileIo,
+                        format("{} is a link to a folder", entry->path().string()),
+                        "copies of a case hold folders and files; put a folder in its place");
+        if (entry->is_directory())
+            fs::create_directories(to / relative);
+        else if (entry->is_regular_file())
+            fs::copy_file(entry->path(), to / relative, fs::copy_options::overwrite_existing);
+    }
+}
+
+/// Files that meshDict names.
+std::vector<std::string> meshFiles(const Dictionary& meshDict)
+{
+    std::vector<std::string> files;
+    const auto bodies = meshDict.subOrEmpty("bodies");
+    for (const auto& name : bodies.keys()) {
+        if (!bodies.isDictionary(name)) continue;
+        const auto body = bodies.sub(name);
+        if (body.has("file")) files.push_back(body.word("file"));
+    }
+    return files;
+}
+
+} // namespace
+
+bool isResult(const std::string& name)
+{
+    static const std::vector<std::string> names{"postProcessing", "status", "why.txt"};
+    const bool isTime = name != "0" && readNumber(name).has_value();
+    return isTime || name.starts_with("log.") || name.ends_with(".series")
+           || name.ends_with(".xdmf") || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void copyCase(const Case& theCase, const fs::path& copy)
+{
+    copyTree(theCase.root(), theCase.root(), copy, false);
+}
+
+void change(const Case& theCase, const fs::path& copy, const CaseChange& change)
+{
+    if (!change.overlay.empty())
+        return copyTree(theCase.root(), theCase.inside(change.overlay), copy, true);
+    const auto edit = setEntry(copy / change.file, fs::canonical(copy), change.path, change.value);
+    writeFileAtomically(copy / edit.file, edit.text);
+}
+
+std::string caseKey(const fs::path& root, bool withProbes)
+{
+    const Case theCase(root);
+    Checksum sum;
+    std::vector<std::string> files(runDictionaries.begin(), runDictionaries.end());
+    if (withProbes) files.push_back("system/probeDict");
+    for (const auto& file : files) {
+        if (!theCase.hasFile(file)) continue;
+        sum.add(file);
+        sum.add(theCase.dictionary(file).canonicalText());
+    }
+    if (!theCase.hasFile("system/meshDict")) {
+        if (theCase.hasFile("constant/mesh.vtkhdf"))
+            sum.add(bytesOf(theCase.path("constant/mesh.vtkhdf")));
+        return sum.text();
+    }
+    for (const auto& file : meshFiles(theCase.dictionary("system/meshDict")))
+        if (theCase.hasFile(file)) sum.add(bytesOf(theCase.inside(file)));
+    return sum.text();
+}
+
+void removeFields(const fs::path& root)
+{
+    for (const auto& entry : fs::directory_iterator(root)) {
+        const auto name = entry.path().filename().string();
+        if (name.ends_with(".series") || (name != "0" && readNumber(name)))
+            fs::remove_all(entry.path());
+    }
+    fs::remove(root / "0/fields.vtkhdf");
+    if (fs::exists(root / "system/meshDict")) fs::remove(root / "constant/mesh.vtkhdf");
+}
+
+} // namespace fpm

@@ -1,0 +1,120 @@
+#include "study/Pipeline.h"
+
+#include "application/Machine.h"
+#include "base/Error.h"
+#include "base/Format.h"
+#include "io/Checksum.h"
+#include "study/Process.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+namespace fpm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array programs{"fpmMesh", "fpmSetContact", "fpmExplicit", "fpmProbe"};
+
+std::string textOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// The number behind "name": of the performance file; 0 where there is none.
+double performanceNumber(const std::string& text, const std::string& name)
+{
+    const auto at = text.find(format("\"{}\": ", name));
+    double value = 0;
+    if (at == text.npos) return 0;
+    const char* begin = text.data() + at + name.size() + 4;
+    std::from_chars(begin, text.data() + text.size(), value);
+    return value;
+}
+
+/// Ends that say nothing about the run: somebody stopped it, or the disk is full.
+void requireResult(const std::string& program, const ProcessEnd& end, const fs::path& log)
+{
+    const auto code = ExitCode(end.exitCode);
+    const bool stopped = code == ExitCode::stopped || end.signal == SIGINT || end.signal == SIGTERM
+                         || end.signal == SIGHUP;
+    if (Interrupt::raised() || stopped)
+        throw Error(ExitCode::stopped, format("interrupted in {}", program),
+                    "finished runs are kept: start again to go on");
+    if (code == ExitCode::fileIo || code == ExitCode::caseLocked)
+        throw Error(code, format("{} could not read or write its files", program),
+                    format("its words are in {}; finished runs are kept: start again to go on",
+                           log.string()));
+}
+
+/// To microseconds: digits beyond mean nothing and would only be cut by the table.
+double rounded(double seconds)
+{
+    return std::round(1e6 * seconds) / 1e6;
+}
+
+std::string stateOf(const std::string& program, const ProcessEnd& end)
+{
+    if (end.succeeded()) return "ok";
+    if (end.signal != 0) return format("{}:signal{}", program, end.signal);
+    return format("{}:{}", program, end.exitCode);
+}
+
+} // namespace
+
+Pipeline::Pipeline(fs::path binFolder) : bin_(std::move(binFolder))
+{
+    Checksum sum;
+    for (const auto* program : programs) {
+        const auto file = bin_ / program;
+        if (::access(file.c_str(), X_OK) != 0)
+            throw Error(ExitCode::fileIo, format("there is no program {}", file.string()),
+                        "keep the programs in one folder");
+        sum.add(textOf(file));
+    }
+    key_ = sum.text();
+}
+
+Pipeline Pipeline::beside()
+{
+    return Pipeline(fs::read_symlink("/proc/self/exe").parent_path());
+}
+
+RunRow Pipeline::run(const fs::path& folder, bool tables) const
+{
+    RunRow row;
+    row.host = hostName().empty() ? "-" : hostName();
+    for (const std::string program : programs) {
+        if (program == "fpmMesh" && !fs::exists(folder / "system/meshDict")) continue;
+        if (program == "fpmSetContact" && !fs::exists(folder / "system/contactDict")) continue;
+        if (program == "fpmProbe" && !tables) continue;
+        std::vector<std::string> command{(bin_ / program).string(), "-noLog"};
+        if (program == "fpmProbe") command.push_back("-tables");
+        const auto log = folder / ("log." + program);
+        const auto end = runProcess(command, folder, log);
+        requireResult(program, end, log);
+        if (program == "fpmExplicit") {
+            row.wall = rounded(end.wall), row.cpu = rounded(end.cpu);
+            row.memory = std::round(1e-6 * end.peakMemory);
+            const auto text = textOf(folder / "postProcessing/performance/0/performance.json");
+            row.elements = performanceNumber(text, "elements");
+            row.steps = performanceNumber(text, "steps");
+            row.nsPerElementStep = performanceNumber(text, "nsPerElementStep");
+        }
+        row.state = stateOf(program, end);
+        if (!end.succeeded()) break;
+    }
+    return row;
+}
+
+} // namespace fpm

@@ -1,0 +1,126 @@
+#include "study/Process.h"
+
+#include "base/Error.h"
+#include "base/Format.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <system_error>
+
+namespace fpm {
+
+namespace {
+
+constexpr std::array watched{SIGINT, SIGTERM, SIGHUP};
+constexpr int cannotStart = 127;
+
+// A signal handler reaches nothing but such a variable.
+volatile std::sig_atomic_t interruption = 0;
+std::array<struct sigaction, watched.size()> previous;
+
+extern "C" void noteInterruption(int signal)
+{
+    interruption = signal;
+}
+
+double seconds(const timeval& time)
+{
+    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+}
+
+/// Only what is allowed between fork and exec.
+[[noreturn]] void become(char* const* arguments, const char* folder, int log, pid_t parent)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent || chdir(folder) != 0) _exit(cannotStart);
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0 || dup2(log, STDOUT_FILENO) < 0
+        || dup2(log, STDERR_FILENO) < 0)
+        _exit(cannotStart);
+    execv(arguments[0], arguments);
+    _exit(cannotStart);
+}
+
+ProcessEnd waitFor(pid_t child)
+{
+    int status = 0;
+    rusage used{};
+    bool passedOn = false;
+    while (wait4(child, &status, 0, &used) < 0) {
+        if (errno != EINTR)
+            throw Error(ExitCode::internal,
+                        "lost a child: " + std::generic_category().message(errno));
+        if (Interrupt::raised() && !passedOn) {
+            kill(child, SIGTERM);
+            passedOn = true;
+        }
+    }
+    ProcessEnd end;
+    if (WIFSIGNALED(status))
+        end.signal = WTERMSIG(status);
+    else
+        end.exitCode = WEXITSTATUS(status);
+    end.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
+    end.peakMemory = 1024.0 * double(used.ru_maxrss);
+    return end;
+}
+
+} // namespace
+
+Interrupt::Interrupt()
+{
+    interruption = 0;
+    struct sigaction action = {};
+    action.sa_handler = noteInterruption;
+    for (std::size_t i = 0; i < watched.size(); ++i) sigaction(watched[i], &action, &previous[i]);
+}
+
+Interrupt::~Interrupt()
+{
+    for (std::size_t i = 0; i < watched.size(); ++i) sigaction(watched[i], &previous[i], nullptr);
+}
+
+bool Interrupt::raised()
+{
+    return interruption != 0;
+}
+
+ProcessEnd runProcess(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder,
+                      const std::filesystem::path& log)
+{
+    const int output =
+        open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (output < 0)
+        throw Error(ExitCode::fileIo, format("cannot write {}: {}", log.string(),
+                                             std::generic_category().message(errno)));
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (auto& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const std::string place = folder.string();
+
+    const auto start = std::chrono::steady_clock::now();
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child == 0) become(arguments.data(), place.c_str(), output, parent);
+    close(output);
+    if (child < 0)
+        throw Error(ExitCode::memory,
+                    "no further process: " + std::generic_category().message(errno));
+    auto end = waitFor(child);
+    end.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (end.exitCode == cannotStart)
+        throw Error(ExitCode::fileIo, format("cannot start {}", command.front()));
+    return end;
+}
+
+} // namespace fpm

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// One finished run of a study.
+struct RunRow {
+    std::string run;          ///< its name, and that of its folder
+    std::string key;          ///< checksum of case and programs
+    int repeat = 1;           ///< 1, 2, ...
+    std::string state = "ok"; ///< or "fpmExplicit:10", "fpmExplicit:signal9": what failed and how
+    double wall = 0, cpu = 0; ///< of fpmExplicit [s]
+    double elements = 0, steps = 0;
+    double nsPerElementStep = 0;
+    double memory = 0; ///< most that fpmExplicit held [MB]
+    std::string host;
+
+    bool succeeded() const { return state == "ok"; }
+};
+
+/// "numerical stop of fpmExplicit" for "fpmExplicit:10".
+std::string causeOf(const std::string& state);
+
+/// runs.dat: a header and one row a run. A row once added is on the disk whole, whatever happens
+/// next.
+class RunTable
+{
+public:
+    /// Reads what an earlier start has left. Throws Error(fileIo) for a line it cannot read.
+    explicit RunTable(std::filesystem::path file);
+
+    const std::vector<RunRow>& rows() const { return rows_; }
+    const RunRow* find(const std::string& key, int repeat) const;
+    /// Writes the table with this row. Throws Error(fileIo); the rows before stay.
+    void add(const RunRow& row);
+    /// Forgets the rows of a run whose folder is about to be used again.
+    void removeRun(const std::string& run);
+
+private:
+    void write() const;
+
+    std::filesystem::path file_;
+    std::vector<RunRow> rows_;
+};
+
+} // namespace fpm

@@ -1,0 +1,174 @@
+#include "study/Study.h"
+
+#include "application/CaseLock.h"
+#include "base/Format.h"
+#include "io/Checksum.h"
+#include "study/Process.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fpm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Removed however it ends.
+struct Scratch {
+    explicit Scratch(fs::path folder) : path(std::move(folder)) { fs::remove_all(path); }
+    Scratch(const Scratch&) = delete;
+    ~Scratch()
+    {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    fs::path path;
+};
+
+} // namespace
+
+Study::Study(Case theCase,
+             fs::path folder,
+             std::vector<StudyRun> runs,
+             const StudySettings& settings,
+             const Pipeline& pipeline)
+    : case_(std::move(theCase)),
+      folder_(std::move(folder)),
+      runs_(std::move(runs)),
+      settings_(settings),
+      pipeline_(pipeline),
+      table_(folder_ / "runs.dat")
+{
+    const Scratch scratch(folder_ / "runs/.trial");
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        makeCopy(run, scratch.path);
+        Checksum sum;
+        sum.add(caseKey(scratch.path, settings_.tables));
+        sum.add(pipeline_.key());
+        keys_.push_back(sum.text());
+        first_.push_back(
+            std::size_t(std::find(keys_.begin(), keys_.end(), keys_.back()) - keys_.begin()));
+        fs::remove_all(scratch.path);
+    }
+}
+
+void Study::makeCopy(std::size_t run, const fs::path& copy) const
+{
+    copyCase(case_, copy);
+    // Entries are changed in what an overlay brings, whatever the order.
+    for (const bool overlays : {true, false})
+        for (const auto& one : runs_[run].changes)
+            if (one.overlay.empty() != overlays) change(case_, copy, one);
+}
+
+const RunRow* Study::finished(std::size_t run, int repeat) const
+{
+    const auto* row = table_.find(keys_[run], repeat);
+    if (row == nullptr) return nullptr;
+    if (settings_.retry && !row->succeeded()) return nullptr;
+    // The first repeat leaves its results; without them it counts for nothing.
+    if (repeat == 1 && !fs::exists(folder_ / "runs" / row->run)) return nullptr;
+    return row;
+}
+
+bool Study::isDue(std::size_t run, int repeat) const
+{
+    if (first_[run] != run || finished(run, repeat) != nullptr) return false;
+    if (repeat == 1) return true;
+    const auto* before = finished(run, 1);
+    return before == nullptr || before->succeeded(); // what fails once fails again
+}
+
+std::size_t Study::toDo() const
+{
+    std::size_t count = 0;
+    for (int repeat = 1; repeat <= settings_.repeats; ++repeat)
+        for (std::size_t run = 0; run < runs_.size(); ++run) count += isDue(run, repeat);
+    return count;
+}
+
+std::size_t Study::total() const
+{
+    const std::set<std::size_t> distinct(first_.begin(), first_.end());
+    return distinct.size() * std::size_t(settings_.repeats);
+}
+
+void Study::list(Log& log) const
+{
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        const auto* row = finished(run, 1);
+        const std::string state = first_[run] != run ? "same as " + runs_[first_[run]].name
+                                  : row == nullptr   ? "to do"
+                                  : row->succeeded() ? "finished"
+                                                     : causeOf(row->state);
+        log.line(format("  {}: {}", runs_[run].name, state));
+        for (const auto& one : runs_[run].changes)
+            log.line(one.overlay.empty() ? format("      {}.{} {}", one.file, one.path, one.value)
+                                         : format("      files of {}", one.overlay));
+    }
+    log.line(format("{} runs ({} repeats each), {} to do", total(), settings_.repeats, toDo()));
+}
+
+fs::path Study::prepare(std::size_t run, int repeat)
+{
+    const auto& name = runs_[run].name;
+    const auto copy = folder_ / "runs" / (repeat == 1 ? name : name + ".again");
+    if (fs::exists(copy)) {
+        const CaseLock lock(copy, "fpmChart"); // refuses while a stray run still works there
+        if (repeat == 1) table_.removeRun(name);
+        fs::remove_all(copy);
+    }
+    makeCopy(run, copy);
+    return copy;
+}
+
+void Study::runOne(std::size_t run, int repeat, Log& log, std::size_t number)
+{
+    const auto copy = prepare(run, repeat);
+    auto row = pipeline_.run(copy, settings_.tables && repeat == 1);
+    row.run = runs_[run].name, row.key = keys_[run], row.repeat = repeat;
+    if (repeat > 1)
+        fs::remove_all(copy);
+    else if (!settings_.keepFields && row.succeeded())
+        removeFields(copy);
+    table_.add(row);
+    const std::string again = repeat > 1 ? format(", repeat {}", repeat) : std::string();
+    log.line(format("  {} of {}: {}{}: {}", number, total(), row.run, again,
+                    row.succeeded() ? format("{} s", toText(row.wall, 3)) : causeOf(row.state)));
+    if (!row.succeeded()) log.line(format("      its logs are in {}", copy.string()));
+}
+
+void Study::run(Log& log)
+{
+    const std::size_t due = toDo();
+    if (due < total() && !table_.rows().empty())
+        log.line(format("{} of {} runs are finished already{}", total() - due, total(),
+                        due > 0 ? ", going on with the rest" : ""));
+    const Interrupt interrupt;
+    std::size_t number = total() - due;
+    for (int repeat = 1; repeat <= settings_.repeats; ++repeat)
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            if (isDue(run, repeat)) {
+                if (Interrupt::raised())
+                    throw Error(ExitCode::stopped, "interrupted between runs",
+                                "finished runs are kept: start again to go on");
+                runOne(run, repeat, log, ++number);
+            }
+}
+
+std::vector<RunRow> Study::rows(std::size_t run) const
+{
+    std::vector<RunRow> result;
+    for (int repeat = 1; repeat <= settings_.repeats; ++repeat)
+        if (const auto* row = table_.find(keys_[run], repeat)) result.push_back(*row);
+    return result;
+}
+
+fs::path Study::folder(std::size_t run) const
+{
+    const auto* row = table_.find(keys_[run], 1);
+    return folder_ / "runs" / (row == nullptr ? runs_[run].name : row->run);
+}
+
+} // namespace fpm
