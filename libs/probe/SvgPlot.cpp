@@ -1,5 +1,6 @@
 #include "probe/SvgPlot.h"
 
+#include "probe/PlotMarks.h"
 #include "probe/Svg.h"
 #include "probe/Ticks.h"
 
@@ -55,9 +56,16 @@ Scale makeScale(const Plot& plot, const PlotAxis& axis, Values values, double pa
     Scale scale;
     scale.logarithmic = axis.logarithmic;
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto include = [&](double value) {
+        if (scale.shows(value)) low = std::min(low, value), high = std::max(high, value);
+    };
     for (const PlotSeries& series : plot.series)
-        for (const double value : series.*values)
-            if (scale.shows(value)) low = std::min(low, value), high = std::max(high, value);
+        for (const double value : series.*values) include(value);
+    for (const PlotMark& mark : plot.marks) {
+        include(values == &PlotSeries::x ? mark.x : mark.y);
+        if (values == &PlotSeries::x && mark.xLeast < mark.xMost)
+            include(mark.xLeast), include(mark.xMost);
+    }
     if (low > high) low = axis.logarithmic ? 0.1 : 0, high = 1;
     if (axis.logarithmic) {
         const double grow = std::max(std::pow(high / low, padding), 1.15);
@@ -231,6 +239,26 @@ void drawSeries(
     svg.element("</g>");
 }
 
+void drawPlotMarks(SvgDrawing& svg,
+                   const Plot& plot,
+                   const std::vector<Look>& looks,
+                   const Layout& at,
+                   const Scale& x,
+                   const Scale& y)
+{
+    std::vector<PlacedMark> placed;
+    for (const PlotMark& mark : plot.marks) {
+        if (!x.shows(mark.x)) continue;
+        PlacedMark one{mark, {x.pixel(mark.x), at.top + 12}, 0, 0, ""};
+        if (y.shows(mark.y)) one.at.y = y.pixel(mark.y);
+        one.barFrom = mark.xLeast < mark.xMost ? x.pixel(mark.xLeast) : one.at.x;
+        one.barTo = mark.xLeast < mark.xMost ? x.pixel(mark.xMost) : one.at.x;
+        one.colour = mark.series < looks.size() ? looks[mark.series].colour : ink;
+        placed.push_back(one);
+    }
+    drawMarks(svg, placed, {at.left, at.top}, {at.right, at.bottom});
+}
+
 void drawLegend(SvgDrawing& svg, const Plot& plot, const std::vector<Look>& looks, const Layout& at)
 {
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -271,7 +299,7 @@ std::string svgPlot(const Plot& plot)
 {
     const bool markers = std::any_of(plot.series.begin(), plot.series.end(),
                                      [](const auto& s) { return s.style == SeriesStyle::points; });
-    Scale x = makeScale(plot, plot.x, &PlotSeries::x, markers ? 0.02 : 0, 8);
+    Scale x = makeScale(plot, plot.x, &PlotSeries::x, markers || !plot.marks.empty() ? 0.02 : 0, 8);
     Scale y = makeScale(plot, plot.y, &PlotSeries::y, 0.05, 6);
     const Layout layout = makeLayout(plot, y);
     x.from = layout.left, x.to = layout.right;
@@ -293,6 +321,7 @@ std::string svgPlot(const Plot& plot)
         for (std::size_t i = 0; i < plot.series.size(); ++i)
             if (plot.series[i].style == style) drawSeries(svg, plot.series[i], looks[i], x, y);
     svg.element("</g>");
+    drawPlotMarks(svg, plot, looks, layout, x, y);
     return svg.str();
 }
 

@@ -17,6 +17,16 @@ struct PlotSeries {
     SeriesStyle style = SeriesStyle::line; ///< dashed and points mark reference data
 };
 
+/// A point that is told apart: a text beside it, a bar for its spread in x.
+struct PlotMark {
+    double x = 0, y = 0; ///< y not finite: x alone is known, shown at the upper edge
+    std::string text;
+    std::size_t series = 0;       ///< whose colour it has
+    bool hollow = false;          ///< a ring in place of a dot
+    bool emphasised = false;      ///< a black circle around it
+    double xLeast = 0, xMost = 0; ///< no bar where they are equal
+};
+
 struct PlotAxis {
     std::string label;
     std::optional<std::array<double, 2>> range; ///< from the data when absent
@@ -27,6 +37,7 @@ struct Plot {
     std::string title;
     PlotAxis x, y;
     std::vector<PlotSeries> series;
+    std::vector<PlotMark> marks = {}; ///< drawn last; texts keep clear of one another
 };
 
 /// The plot as an SVG file 720 pixels wide: legend above the axes, so that it never covers data;

@@ -44,13 +44,19 @@ struct Peak {
     double t = noNumber, y = noNumber;
 };
 
-Peak peakOf(const Curve& curve, const Window& window)
+/// The largest value of `sign` y.
+Peak peakOf(const Curve& curve, const Window& window, double sign)
 {
     Peak peak;
     for (std::size_t i = 0; i < curve.t.size(); ++i)
-        if (window.holds(curve.t[i]) && !(std::abs(curve.y[i]) <= std::abs(peak.y)))
+        if (window.holds(curve.t[i]) && !(sign * curve.y[i] <= sign * peak.y))
             peak = {curve.t[i], curve.y[i]};
     return peak;
+}
+
+std::ptrdiff_t countIn(const Curve& curve, const Window& window)
+{
+    return std::count_if(curve.t.begin(), curve.t.end(), [&](double t) { return window.holds(t); });
 }
 
 double squaredDifference(const Curve& a, const Curve& b, const Window& window)
@@ -85,12 +91,19 @@ double CurveErrors::of(Measure measure) const
 CurveErrors errorsOf(const Curve& curve, const Curve& reference)
 {
     const Window window = common(curve, reference);
-    const double norm =
-        integral(reference, window, [&](std::size_t i) { return reference.y[i] * reference.y[i]; });
-    const Peak ours = peakOf(curve, window), exact = peakOf(reference, window);
+    // At the points of the coarser curve, so that it is the finer one that is interpolated.
+    const bool isCoarser = countIn(curve, window) < countIn(reference, window);
+    const Curve &points = isCoarser ? curve : reference, &other = isCoarser ? reference : curve;
+    const double norm = integral(points, window, [&](std::size_t i) {
+        const double exact = valueAt(reference, points.t[i]);
+        return exact * exact;
+    });
     if (!(norm > 0)) return {noNumber, noNumber, noNumber, noNumber};
+    const Peak above = peakOf(reference, window, 1), below = peakOf(reference, window, -1);
+    const double sign = above.y >= -below.y ? 1 : -1;
+    const Peak exact = sign > 0 ? above : below, ours = peakOf(curve, window, sign);
     const double scale = std::abs(exact.y), last = window.end;
-    return {std::sqrt(squaredDifference(curve, reference, window) / norm),
+    return {std::sqrt(squaredDifference(other, points, window) / norm),
             std::abs(ours.y - exact.y) / scale,
             std::abs(ours.t - exact.t) / (window.end - window.begin),
             std::abs(valueAt(curve, last) - valueAt(reference, last)) / scale};

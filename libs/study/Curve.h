@@ -17,10 +17,10 @@ double valueAt(const Curve& curve, double t);
 enum class Measure { l2, peak, peakTime, final };
 
 /// How far a curve is from its reference, over the times both have:
-/// root of the integral of the squared difference over that of the squared reference; largest
-/// magnitude and last value, both by the largest magnitude of the reference; time of the largest
-/// magnitude, by the time they have in common. Not a number where the reference is nothing but
-/// zero.
+/// root of the integral of the squared difference over that of the squared reference; peak (the
+/// largest magnitude of the reference, and the largest value of that sign beside it) and last
+/// value, both by the reference's peak; time of the peak, by the time they have in common. Not a
+/// number where the reference is nothing but zero.
 struct CurveErrors {
     double l2, peak, peakTime, final;
     double of(Measure measure) const;

@@ -144,8 +144,9 @@ Rung rungOf(const std::vector<Ladder>& ladders, std::vector<int> values)
         if (values[i] < 0) continue;
         const auto& ladder = ladders[i];
         const auto& value = ladder.values[std::size_t(values[i])];
-        rung.run.name += (rung.run.name.empty() ? "" : ".") + ladder.name + "_" + fileWord(value);
-        rung.label += (rung.label.empty() ? "" : ", ") + ladder.name + " " + value;
+        rung.run.name += format("{}{}_{}", rung.run.name.empty() ? "" : ".", fileWord(ladder.name),
+                                fileWord(value));
+        rung.label += format("{}{} {}", rung.label.empty() ? "" : ", ", ladder.name, value);
         if (!ladder.isOverlay())
             rung.run.changes.push_back({ladder.file, ladder.path, value, ""});
         else if (value != "none")

@@ -57,6 +57,25 @@ TEST(Curve, MeasuresThePeakByMagnitudeAndItsTimeByTheSpan)
     EXPECT_DOUBLE_EQ(errors.final, 0.25);
 }
 
+TEST(Curve, ComparesPeaksOfOneSign)
+{
+    // Two peaks as high as each other: rounding must not pair the first with the second.
+    const Curve ours{{0, 1, 2, 3, 4}, {0, 1.9, 0, -2.1, 0}},
+        exact{{0, 1, 2, 3, 4}, {0, 2, 0, -2, 0}};
+
+    EXPECT_NEAR(errorsOf(ours, exact).peak, 0.05, 1e-12);
+    EXPECT_NEAR(errorsOf(ours, exact).peakTime, 0, 1e-12);
+}
+
+TEST(Curve, InterpolatesTheFinerOfTheTwo)
+{
+    const auto f = [](double t) { return std::sin(6 * t); };
+    const auto few = curveOf(10, 1, f), many = curveOf(10000, 1, f);
+
+    EXPECT_LT(errorsOf(few, many).l2, 1e-6);
+    EXPECT_LT(errorsOf(many, few).l2, 1e-6);
+}
+
 TEST(Curve, WeighsTimeAndNotPoints)
 {
     // Wrong by 1 in the first half, which has one interval, right in the second, which has ten.
