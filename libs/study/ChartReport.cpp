@@ -11,20 +11,27 @@ namespace fpm {
 
 namespace {
 
+/// Two digits, or all before the point of numbers people still read: 0.35, 1.1, 14, 250.
+std::string brief(double value)
+{
+    const bool isPlain = value >= 10 && value < 1e5;
+    return isPlain ? toText(std::round(value)) : toText(value, 2);
+}
+
 std::string percent(double share)
 {
-    return toText(100 * share, 2) + " %";
+    return brief(100 * share) + " %";
 }
 
 std::string costOf(const ChartSpec& chart, double cost)
 {
     switch (chart.cost) {
     case CostKind::wall:
-        return toText(cost, 2) + " s";
+        return brief(cost) + " s";
     case CostKind::cpu:
-        return toText(cost, 2) + " s of CPU";
+        return brief(cost) + " s of CPU";
     default:
-        return toText(cost, 3) + " element-steps";
+        return brief(cost) + " element-steps";
     }
 }
 
@@ -235,8 +242,8 @@ std::string conclusion(const ChartSpec& chart,
     if (*choice.enough == *choice.best) return advice + ", the most accurate of all" + against;
     return advice
            + format(", {} times cheaper than the most accurate, {} ({}){}",
-                    toText(best.cost.median / enough.cost.median, 2), best.label,
-                    percent(bestError), against);
+                    brief(best.cost.median / enough.cost.median), best.label,
+                    bestError > 0 ? percent(bestError) : "the reference itself", against);
 }
 
 } // namespace fpm
