@@ -31,14 +31,19 @@ struct Seat {
     Anchor anchor;
 };
 // Errors fall to the right, so lines leave the corners above right and below left free.
-constexpr std::array<Seat, 8> seats{{{7, -6, Anchor::start},
-                                     {9, 4, Anchor::start},
-                                     {-7, 14, Anchor::end},
-                                     {-9, 4, Anchor::end},
-                                     {0, -10, Anchor::middle},
-                                     {0, 19, Anchor::middle},
-                                     {7, 14, Anchor::start},
-                                     {-7, -6, Anchor::end}}};
+constexpr std::array<Seat, 12> seats{{{7, -6, Anchor::start},
+                                      {9, 4, Anchor::start},
+                                      {-7, 14, Anchor::end},
+                                      {-9, 4, Anchor::end},
+                                      {0, -10, Anchor::middle},
+                                      {0, 19, Anchor::middle},
+                                      {7, 14, Anchor::start},
+                                      {-7, -6, Anchor::end},
+                                      {7, -20, Anchor::start},
+                                      {-7, 28, Anchor::end},
+                                      {7, 28, Anchor::start},
+                                      {-7, -20, Anchor::end}}};
+constexpr Seat beside{9, 4, Anchor::start}, before{-9, 4, Anchor::end}; // of a line of its own
 
 Box textBox(Pixel at, const Seat& seat, const std::string& text)
 {
@@ -80,26 +85,25 @@ void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, 
 {
     const Box frame{upperLeft.x, upperLeft.y, lowerRight.x, lowerRight.y};
     std::vector<Box> taken;
+    double line = upperLeft.y + unknownLine / 2;
     for (PlacedMark& mark : marks) {
-        // Marks without a value sit side by side at the edge: one below the other where they meet.
-        while (!std::isfinite(mark.mark.y)
-               && std::any_of(taken.begin(), taken.end(),
-                              [&](const Box& other) { return boxOf(mark.at).overlap(other) > 0; }))
-            mark.at.y += 14;
+        if (!std::isfinite(mark.mark.y)) mark.at.y = line, line += unknownLine;
         taken.push_back(boxOf(mark.at));
     }
     for (const PlacedMark& mark : marks) {
         drawMark(svg, mark);
         if (mark.mark.text.empty()) continue;
-        const Seat* best = seats.data();
+        const bool isKnown = std::isfinite(mark.mark.y);
+        Seat best = beside;
         double least = 1e300;
-        for (const Seat& seat : seats) {
+        for (const Seat& seat : isKnown ? std::vector<Seat>(seats.begin(), seats.end())
+                                        : std::vector<Seat>{beside, before}) {
             const double covered = coveredBy(textBox(mark.at, seat, mark.mark.text), taken, frame);
-            if (covered < least) best = &seat, least = covered;
+            if (covered < least) best = seat, least = covered;
         }
-        taken.push_back(textBox(mark.at, *best, mark.mark.text));
-        svg.text({mark.at.x + best->dx, mark.at.y + best->dy}, mark.mark.text,
-                 {textSize, best->anchor, mark.colour});
+        taken.push_back(textBox(mark.at, best, mark.mark.text));
+        svg.text({mark.at.x + best.dx, mark.at.y + best.dy}, mark.mark.text,
+                 {textSize, best.anchor, mark.colour});
     }
 }
 

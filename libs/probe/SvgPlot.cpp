@@ -51,6 +51,18 @@ struct Layout {
 
 using Values = std::vector<double> PlotSeries::*;
 
+/// Lines on top for marks whose y is not known.
+void makeRoom(const Plot& plot, Scale& scale)
+{
+    const auto count = std::count_if(plot.marks.begin(), plot.marks.end(),
+                                     [](const PlotMark& mark) { return !std::isfinite(mark.y); });
+    const double share = std::min(0.5, double(count) * unknownLine / frameHeight);
+    if (scale.logarithmic)
+        scale.upper *= std::pow(scale.upper / scale.lower, share / (1 - share));
+    else
+        scale.upper += (scale.upper - scale.lower) * share / (1 - share);
+}
+
 Scale makeScale(const Plot& plot, const PlotAxis& axis, Values values, double padding, int count)
 {
     Scale scale;
@@ -80,6 +92,7 @@ Scale makeScale(const Plot& plot, const PlotAxis& axis, Values values, double pa
         scale.lower = low >= 0 && low <= pad ? 0 : low - pad;
         scale.upper = high <= 0 && high >= -pad ? 0 : high + pad;
     }
+    if (values == &PlotSeries::y) makeRoom(plot, scale);
     if (axis.range) scale.lower = (*axis.range)[0], scale.upper = (*axis.range)[1];
     scale.ticks = axis.logarithmic ? decadeTicks(scale.lower, scale.upper)
                                    : linearTicks(scale.lower, scale.upper, count);
@@ -95,7 +108,9 @@ std::vector<Look> makeLooks(const Plot& plot)
     for (const PlotSeries& series : plot.series) {
         Look look;
         if (series.style == SeriesStyle::points) look.marker = markers++ % 4;
-        if (series.style != SeriesStyle::line && !blackTaken)
+        if (!series.colour.empty())
+            look.colour = series.colour;
+        else if (series.style != SeriesStyle::line && !blackTaken)
             look.colour = referenceColour, blackTaken = true;
         else
             look.colour = palette[colours++ % palette.size()];

@@ -15,11 +15,12 @@ struct PlotSeries {
     std::string label;
     std::vector<double> x, y;              ///< same length; gaps where either is not finite
     SeriesStyle style = SeriesStyle::line; ///< dashed and points mark reference data
+    std::string colour = {};               ///< "#6b7280"; the next of the palette where empty
 };
 
 /// A point that is told apart: a text beside it, a bar for its spread in x.
 struct PlotMark {
-    double x = 0, y = 0; ///< y not finite: x alone is known, shown at the upper edge
+    double x = 0, y = 0; ///< y not finite: x alone is known, told on a line of its own on top
     std::string text;
     std::size_t series = 0;       ///< whose colour it has
     bool hollow = false;          ///< a ring in place of a dot

@@ -117,7 +117,7 @@ void addFront(Plot& plot,
 
 void addForeign(Plot& plot, const ChartSpec& chart, const ChartProbe& probe)
 {
-    PlotSeries series{"other programs", {}, {}, SeriesStyle::points};
+    PlotSeries series{"other programs", {}, {}, SeriesStyle::points, "#6b7280"};
     for (const ForeignPoint& point : chart.foreign) {
         if (!point.probe.empty() && point.probe != probe.name) continue;
         series.x.push_back(point.cost);
