@@ -34,8 +34,7 @@ CHART = """charts
     {
         cost elementSteps;
         ladders { step { entry controlDict.timeStep.fixed; values (5e-8 1e-6); } }
-        probes { middle { file "postProcessing/middle/0/velocity.dat"; y vx;
-                          reference { finest step; } } }
+        probes { middle { file "postProcessing/table/0/V.dat"; y V_x; reference { finest step; } } }
     }
 }
 """
@@ -50,6 +49,8 @@ def bar(binaries):
     case.replace("system/controlDict", r"position \(100 1 1\)", "position (50 0 0)")
     case.replace("system/controlDict", r"^endTime +8e-5", "endTime 2.4e-5")
     case.replace("system/controlDict", r"^historyInterval 2.5e-7", "historyInterval 1e-7")
+    case.replace("system/probeDict", r"^pictures", "tables\n{\n    table { type point; field V; "
+                 "position (25 0 0); }\n}\npictures")
     (case.root / "system/chartDict").write_text(CHART % EXACT)
     return case
 
