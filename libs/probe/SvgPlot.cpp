@@ -1,5 +1,6 @@
 #include "probe/SvgPlot.h"
 
+#include "probe/PlotMarks.h"
 #include "probe/Svg.h"
 #include "probe/Ticks.h"
 
@@ -50,14 +51,33 @@ struct Layout {
 
 using Values = std::vector<double> PlotSeries::*;
 
+/// Lines on top for marks whose y is not known.
+void makeRoom(const Plot& plot, Scale& scale)
+{
+    const auto count = std::count_if(plot.marks.begin(), plot.marks.end(),
+                                     [](const PlotMark& mark) { return !std::isfinite(mark.y); });
+    const double share = std::min(0.5, double(count) * unknownLine / frameHeight);
+    if (scale.logarithmic)
+        scale.upper *= std::pow(scale.upper / scale.lower, share / (1 - share));
+    else
+        scale.upper += (scale.upper - scale.lower) * share / (1 - share);
+}
+
 Scale makeScale(const Plot& plot, const PlotAxis& axis, Values values, double padding, int count)
 {
     Scale scale;
     scale.logarithmic = axis.logarithmic;
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto include = [&](double value) {
+        if (scale.shows(value)) low = std::min(low, value), high = std::max(high, value);
+    };
     for (const PlotSeries& series : plot.series)
-        for (const double value : series.*values)
-            if (scale.shows(value)) low = std::min(low, value), high = std::max(high, value);
+        for (const double value : series.*values) include(value);
+    for (const PlotMark& mark : plot.marks) {
+        include(values == &PlotSeries::x ? mark.x : mark.y);
+        if (values == &PlotSeries::x && mark.xLeast < mark.xMost)
+            include(mark.xLeast), include(mark.xMost);
+    }
     if (low > high) low = axis.logarithmic ? 0.1 : 0, high = 1;
     if (axis.logarithmic) {
         const double grow = std::max(std::pow(high / low, padding), 1.15);
@@ -72,6 +92,7 @@ Scale makeScale(const Plot& plot, const PlotAxis& axis, Values values, double pa
         scale.lower = low >= 0 && low <= pad ? 0 : low - pad;
         scale.upper = high <= 0 && high >= -pad ? 0 : high + pad;
     }
+    if (values == &PlotSeries::y) makeRoom(plot, scale);
     if (axis.range) scale.lower = (*axis.range)[0], scale.upper = (*axis.range)[1];
     scale.ticks = axis.logarithmic ? decadeTicks(scale.lower, scale.upper)
                                    : linearTicks(scale.lower, scale.upper, count);
@@ -87,7 +108,9 @@ std::vector<Look> makeLooks(const Plot& plot)
     for (const PlotSeries& series : plot.series) {
         Look look;
         if (series.style == SeriesStyle::points) look.marker = markers++ % 4;
-        if (series.style != SeriesStyle::line && !blackTaken)
+        if (!series.colour.empty())
+            look.colour = series.colour;
+        else if (series.style != SeriesStyle::line && !blackTaken)
             look.colour = referenceColour, blackTaken = true;
         else
             look.colour = palette[colours++ % palette.size()];
@@ -231,6 +254,26 @@ void drawSeries(
     svg.element("</g>");
 }
 
+void drawPlotMarks(SvgDrawing& svg,
+                   const Plot& plot,
+                   const std::vector<Look>& looks,
+                   const Layout& at,
+                   const Scale& x,
+                   const Scale& y)
+{
+    std::vector<PlacedMark> placed;
+    for (const PlotMark& mark : plot.marks) {
+        if (!x.shows(mark.x)) continue;
+        PlacedMark one{mark, {x.pixel(mark.x), at.top + 12}, 0, 0, ""};
+        if (y.shows(mark.y)) one.at.y = y.pixel(mark.y);
+        one.barFrom = mark.xLeast < mark.xMost ? x.pixel(mark.xLeast) : one.at.x;
+        one.barTo = mark.xLeast < mark.xMost ? x.pixel(mark.xMost) : one.at.x;
+        one.colour = mark.series < looks.size() ? looks[mark.series].colour : ink;
+        placed.push_back(one);
+    }
+    drawMarks(svg, placed, {at.left, at.top}, {at.right, at.bottom});
+}
+
 void drawLegend(SvgDrawing& svg, const Plot& plot, const std::vector<Look>& looks, const Layout& at)
 {
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -271,7 +314,7 @@ std::string svgPlot(const Plot& plot)
 {
     const bool markers = std::any_of(plot.series.begin(), plot.series.end(),
                                      [](const auto& s) { return s.style == SeriesStyle::points; });
-    Scale x = makeScale(plot, plot.x, &PlotSeries::x, markers ? 0.02 : 0, 8);
+    Scale x = makeScale(plot, plot.x, &PlotSeries::x, markers || !plot.marks.empty() ? 0.02 : 0, 8);
     Scale y = makeScale(plot, plot.y, &PlotSeries::y, 0.05, 6);
     const Layout layout = makeLayout(plot, y);
     x.from = layout.left, x.to = layout.right;
@@ -293,6 +336,7 @@ std::string svgPlot(const Plot& plot)
         for (std::size_t i = 0; i < plot.series.size(); ++i)
             if (plot.series[i].style == style) drawSeries(svg, plot.series[i], looks[i], x, y);
     svg.element("</g>");
+    drawPlotMarks(svg, plot, looks, layout, x, y);
     return svg.str();
 }
 

@@ -15,6 +15,17 @@ struct PlotSeries {
     std::string label;
     std::vector<double> x, y;              ///< same length; gaps where either is not finite
     SeriesStyle style = SeriesStyle::line; ///< dashed and points mark reference data
+    std::string colour = {};               ///< "#6b7280"; the next of the palette where empty
+};
+
+/// A point that is told apart: a text beside it, a bar for its spread in x.
+struct PlotMark {
+    double x = 0, y = 0; ///< y not finite: x alone is known, told on a line of its own on top
+    std::string text;
+    std::size_t series = 0;       ///< whose colour it has
+    bool hollow = false;          ///< a ring in place of a dot
+    bool emphasised = false;      ///< a black circle around it
+    double xLeast = 0, xMost = 0; ///< no bar where they are equal
 };
 
 struct PlotAxis {
@@ -27,6 +38,7 @@ struct Plot {
     std::string title;
     PlotAxis x, y;
     std::vector<PlotSeries> series;
+    std::vector<PlotMark> marks = {}; ///< drawn last; texts keep clear of one another
 };
 
 /// The plot as an SVG file 720 pixels wide: legend above the axes, so that it never covers data;

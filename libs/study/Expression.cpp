@@ -18,15 +18,24 @@ namespace {
 
 using Function = std::function<double(double)>;
 
+/// The smooth step of amplitudes: 0 below 0, 1 above 1, smooth up to the second derivative.
+double smoothStep(double x)
+{
+    const double s = std::min(std::max(x, 0.0), 1.0);
+    return s * s * s * (10 - 15 * s + 6 * s * s);
+}
+
 const std::map<std::string, Function, std::less<>>& functions()
 {
-    static const std::map<std::string, Function, std::less<>> all{{"sin", [](double x) { return std::sin(x); }},
-                                                                  {"cos", [](double x) { return std::cos(x); }},
-                                                                  {"tan", [](double x) { return std::tan(x); }},
-                                                                  {"exp", [](double x) { return std::exp(x); }},
-                                                                  {"log", [](double x) { return std::log(x); }},
-                                                                  {"sqrt", [](double x) { return std::sqrt(x); }},
-                                                                  {"abs", [](double x) { return std::abs(x); }}};
+    static const std::map<std::string, Function, std::less<>> all{
+        {"smooth", smoothStep},
+        {"sin", [](double x) { return std::sin(x); }},
+        {"cos", [](double x) { return std::cos(x); }},
+        {"tan", [](double x) { return std::tan(x); }},
+        {"exp", [](double x) { return std::exp(x); }},
+        {"log", [](double x) { return std::log(x); }},
+        {"sqrt", [](double x) { return std::sqrt(x); }},
+        {"abs", [](double x) { return std::abs(x); }}};
     return all;
 }
 

@@ -108,3 +108,24 @@ TEST(SvgPlot, LeavesOutWhatALogarithmicAxisCannotShow)
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
+
+TEST(SvgPlot, ShowsMarksWithTextsThatKeepClear)
+{
+    Plot plot = sinePlot(3, SeriesStyle::line);
+    for (int i = 0; i < 3; ++i) {
+        PlotMark mark;
+        mark.x = 0.33 * i, mark.y = 0, mark.text = "rung " + std::to_string(i);
+        mark.hollow = i == 1, mark.emphasised = i == 2;
+        plot.marks.push_back(mark);
+    }
+    plot.marks[0].xLeast = -5, plot.marks[0].xMost = 5;
+    plot.marks[1].y = std::numeric_limits<double>::quiet_NaN();
+
+    const std::string svg = svgPlot(plot);
+
+    for (const char* text : {"rung 0", "rung 1", "rung 2"}) EXPECT_EQ(occurrences(svg, text), 1u);
+    EXPECT_EQ(occurrences(svg, "fill=\"#ffffff\" stroke=\"#0072B2\""), 1u) << "one is hollow";
+    EXPECT_EQ(occurrences(svg, "r=\"6.5\""), 1u) << "one is emphasised";
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_NE(svg.find(">4<"), std::string::npos) << "the axis holds the bar";
+}

@@ -45,6 +45,8 @@ TEST(Expression, KnowsTimeAndFunctions)
     EXPECT_DOUBLE_EQ(value("exp(log(t)) + cos(0) + tan(0)", 5), 6);
     EXPECT_EQ(value("min(t, 2) + max(t, 2)", 7), 9);
     EXPECT_EQ(value("sqrt(abs(-9))"), 3);
+    EXPECT_EQ(value("smooth(-1) + 10 * smooth(0.5) + 100 * smooth(7)"), 105);
+    EXPECT_NEAR(value("smooth(0.25)"), 0.103515625, 1e-15); // 10/64 - 15/256 + 6/1024
 }
 
 TEST(Expression, SaysWhatIsWrongAndWhere)

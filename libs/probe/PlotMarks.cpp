@@ -1,0 +1,110 @@
+#include "probe/PlotMarks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fpm {
+
+namespace {
+
+constexpr double textSize = 11, radius = 4.5;
+
+struct Box {
+    double left, top, right, bottom;
+    double overlap(const Box& other) const
+    {
+        const double width = std::min(right, other.right) - std::max(left, other.left);
+        const double height = std::min(bottom, other.bottom) - std::max(top, other.top);
+        return width > 0 && height > 0 ? width * height : 0;
+    }
+};
+
+Box boxOf(Pixel at)
+{
+    return {at.x - radius, at.y - radius, at.x + radius, at.y + radius};
+}
+
+/// Where a text may stand beside its mark.
+struct Seat {
+    double dx, dy;
+    Anchor anchor;
+};
+// Errors fall to the right, so lines leave the corners above right and below left free.
+constexpr std::array<Seat, 12> seats{{{7, -6, Anchor::start},
+                                      {9, 4, Anchor::start},
+                                      {-7, 14, Anchor::end},
+                                      {-9, 4, Anchor::end},
+                                      {0, -10, Anchor::middle},
+                                      {0, 19, Anchor::middle},
+                                      {7, 14, Anchor::start},
+                                      {-7, -6, Anchor::end},
+                                      {7, -20, Anchor::start},
+                                      {-7, 28, Anchor::end},
+                                      {7, 28, Anchor::start},
+                                      {-7, -20, Anchor::end}}};
+constexpr Seat beside{9, 4, Anchor::start}, before{-9, 4, Anchor::end}; // of a line of its own
+
+Box textBox(Pixel at, const Seat& seat, const std::string& text)
+{
+    const double width = textWidth(text, textSize);
+    const double shift = seat.anchor == Anchor::start    ? 0
+                         : seat.anchor == Anchor::middle ? width / 2
+                                                         : width;
+    const double left = at.x + seat.dx - shift, base = at.y + seat.dy;
+    return {left, base - 9, left + width, base + 2};
+}
+
+double coveredBy(const Box& box, const std::vector<Box>& taken, const Box& frame)
+{
+    double sum = 0;
+    for (const Box& other : taken) sum += box.overlap(other);
+    const double area = (box.right - box.left) * (box.bottom - box.top);
+    return sum + 10 * (area - box.overlap(frame)); // outside is worse than over another
+}
+
+void drawMark(SvgDrawing& svg, const PlacedMark& mark)
+{
+    const std::string stroke = "stroke=\"" + mark.colour + "\" stroke-width=\"1.5\"";
+    if (mark.barFrom < mark.barTo) {
+        svg.line({mark.barFrom, mark.at.y}, {mark.barTo, mark.at.y}, stroke);
+        for (const double x : {mark.barFrom, mark.barTo})
+            svg.line({x, mark.at.y - 4}, {x, mark.at.y + 4}, stroke);
+    }
+    const auto circle = [&](double r, const std::string& attributes) {
+        svg.element("<circle cx=\"" + svgNumber(mark.at.x) + "\" cy=\"" + svgNumber(mark.at.y)
+                    + "\" r=\"" + svgNumber(r) + "\" " + attributes + "/>");
+    };
+    circle(3.6, mark.mark.hollow ? "fill=\"#ffffff\" " + stroke : "fill=\"" + mark.colour + "\"");
+    if (mark.mark.emphasised) circle(6.5, "fill=\"none\" stroke=\"#1f2937\" stroke-width=\"1.2\"");
+}
+
+} // namespace
+
+void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, Pixel lowerRight)
+{
+    const Box frame{upperLeft.x, upperLeft.y, lowerRight.x, lowerRight.y};
+    std::vector<Box> taken;
+    double line = upperLeft.y + unknownLine / 2;
+    for (PlacedMark& mark : marks) {
+        if (!std::isfinite(mark.mark.y)) mark.at.y = line, line += unknownLine;
+        taken.push_back(boxOf(mark.at));
+    }
+    for (const PlacedMark& mark : marks) {
+        drawMark(svg, mark);
+        if (mark.mark.text.empty()) continue;
+        const bool isKnown = std::isfinite(mark.mark.y);
+        Seat best = beside;
+        double least = 1e300;
+        for (const Seat& seat : isKnown ? std::vector<Seat>(seats.begin(), seats.end())
+                                        : std::vector<Seat>{beside, before}) {
+            const double covered = coveredBy(textBox(mark.at, seat, mark.mark.text), taken, frame);
+            if (covered < least) best = seat, least = covered;
+        }
+        taken.push_back(textBox(mark.at, best, mark.mark.text));
+        svg.text({mark.at.x + best.dx, mark.at.y + best.dy}, mark.mark.text,
+                 {textSize, best.anchor, mark.colour});
+    }
+}
+
+} // namespace fpm

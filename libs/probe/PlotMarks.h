@@ -1,0 +1,27 @@
+#pragma once
+
+#include "probe/Svg.h"
+#include "probe/SvgPlot.h"
+
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// Height of the line of a mark whose y is not known.
+inline constexpr double unknownLine = 16;
+
+/// A mark of a plot, in pixels.
+struct PlacedMark {
+    PlotMark mark;
+    Pixel at;
+    double barFrom, barTo;
+    std::string colour;
+};
+
+/// Draws marks (those without y one below the other from the top) and the texts beside them; each
+/// text takes the first place around its mark, within the frame, that covers neither a mark nor
+/// another text.
+void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, Pixel lowerRight);
+
+} // namespace fpm
