@@ -1,11 +1,15 @@
 #include "advise/Advise.h"
 
+#include "advise/PilotAdvice.h"
 #include "advise/ReducedCase.h"
 #include "advise/StaticAdvice.h"
+#include "advise/Trial.h"
 #include "base/Format.h"
+#include "dictionary/Number.h"
 #include "model/readModel.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace fpm {
@@ -55,11 +59,30 @@ std::vector<Advice> chosenAdvice(const std::vector<Advice>& advice,
     return chosen;
 }
 
+/// Of a pilot run, else those the case has.
+std::optional<Results> findResults(Run& run, const Model& model)
+{
+    if (const auto text = run.value("pilot")) {
+        const auto share = readNumber(*text);
+        if (!share || !(*share > 0) || *share > 1)
+            throw Error(ExitCode::commandLine, format("-pilot {} is no share of endTime", *text),
+                        "such as: -pilot 0.3; more than 0, at most 1");
+        return pilotRun(run.theCase, model, *share, run.log);
+    }
+    auto results = readResults(run.theCase.root(), model);
+    if (!results)
+        run.log.line("no results of this mesh: advice on rigid and elastic parts, friction and "
+                     "damping needs -pilot or a finished run");
+    return results;
+}
+
 } // namespace
 
 std::vector<Option> adviseOptions()
 {
-    return {{"apply", "<kinds>", "Write a new case: symmetry, rigid, elastic, ...; commas between"},
+    return {{"pilot", "<share>", "Run a copy up to this share of endTime for what needs results"},
+            {"measure", "", "Run the case without and with each piece of advice: time and errors"},
+            {"apply", "<kinds>", "Write a new case: symmetry, rigid, elastic, ...; commas between"},
             {"to", "<dir>", "The folder of the new case; must not exist"}};
 }
 
@@ -69,10 +92,16 @@ void advise(Run& run)
     const Model model = readModel(run.theCase, run.log);
     std::vector<Advice> advice;
     if (auto symmetry = symmetryAdvice(model, run.log)) advice.push_back(std::move(*symmetry));
-    for (Advice& one : pairAdvice(model)) advice.push_back(std::move(one));
+    const std::optional<Results> results = findResults(run, model);
+    for (Advice& one : results ? pilotAdvice(model, run.theCase, *results) : pairAdvice(model))
+        advice.push_back(std::move(one));
     for (Advice& one : outputAdvice(model, run.theCase)) advice.push_back(std::move(one));
     run.log.line();
     printAdvice(advice, run.log);
+    if (run.has("measure")) {
+        run.log.line();
+        measureAdvice(run.theCase, model, advice, run.log);
+    }
     if (kinds.empty()) return;
     const std::vector<Advice> chosen = chosenAdvice(advice, kinds);
     const bool cut = std::find(kinds.begin(), kinds.end(), "symmetry") != kinds.end();

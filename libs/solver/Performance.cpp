@@ -131,6 +131,21 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
     }
 }
 
+namespace {
+
+/// A number a pair, for programs that ask which friction does anything.
+std::string frictionWorks(Solver& solver, const Model& model)
+{
+    std::string text;
+    for (std::size_t number = 0; number < model.contactPairs.size(); ++number)
+        if (model.contactPairs[number].friction > 0)
+            text += format("  \"frictionWork {}\": {},\n", model.contactPairs[number].name,
+                           toText(solver.pairForce(number).friction));
+    return text;
+}
+
+} // namespace
+
 void reportPerformance(Solver& solver, const Model& model, Run& run)
 {
     const StepTimes& t = solver.times();
@@ -160,6 +175,7 @@ void reportPerformance(Solver& solver, const Model& model, Run& run)
                      : model.control.precision == Precision::mixed ? "mixed"
                                                                    : "single",
                      solver.description())
+            + frictionWorks(solver, model)
             + format("  \"deviceBytes\": {}\n}\n", solver.deviceBytes()));
 }
 
