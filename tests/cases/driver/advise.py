@@ -172,7 +172,7 @@ def tutorial(binaries, marks):
         a, b = case.table("rodCentre/0/displacement.dat"), quarter.table(
             "rodCentre/0/displacement.dat")
         marks.below("path of the rod, L2", math.hypot(*(x - y for x, y in zip(a["uz"], b["uz"])))
-                    / math.hypot(*a["uz"]), 1e-3)
+                    / math.hypot(*a["uz"]), 1e-5)
         error, name = apart(case, quarter, 4, "xy")
         marks.figure("worst of all columns", f"{error:.2g} ({name})")
         marks.figure("seconds", f"{seconds:.3g} -> {quarter.performance()['wallSeconds']:.3g}")
