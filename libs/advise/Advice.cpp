@@ -24,6 +24,7 @@ void printAdvice(const std::vector<Advice>& advice, Log& log)
         log.line(format("     because  {}", one.reason));
         log.line(format("     saves    {}", one.saving));
         log.line(format("     price    {}", one.price));
+        if (one.measureOnly) log.line("     judge    by -measure only");
     }
 }
 

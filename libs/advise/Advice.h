@@ -20,6 +20,7 @@ struct Advice {
     std::string price;        ///< what error it may bring
     CaseEdits edits;          ///< of the dictionaries; symmetry cuts the mesh besides
     bool measureOnly = false; ///< nothing but a comparison can tell whether it holds
+    std::string part = {};    ///< that it is about; of several pieces the first is applied
 };
 
 void printAdvice(const std::vector<Advice>& advice, Log& log);

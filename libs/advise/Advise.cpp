@@ -48,10 +48,16 @@ std::vector<Advice> chosenAdvice(const std::vector<Advice>& advice,
     std::vector<Advice> chosen;
     for (const std::string& kind : adviceKinds()) {
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
-        const std::size_t before = chosen.size();
+        std::size_t found = 0;
         for (const Advice& one : advice)
-            if (one.kind == kind) chosen.push_back(one);
-        if (chosen.size() == before)
+            if (one.kind == kind) {
+                ++found;
+                const bool taken = std::any_of(chosen.begin(), chosen.end(), [&](const Advice& a) {
+                    return !one.part.empty() && a.part == one.part;
+                });
+                if (!taken) chosen.push_back(one);
+            }
+        if (found == 0)
             throw Error(
                 ExitCode::commandLine, format("there is no advice of kind {} to apply", kind),
                 "leave it out of -apply; what needs results needs -pilot or a finished run");

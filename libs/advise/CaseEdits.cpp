@@ -55,6 +55,11 @@ void CaseEdits::set(const std::string& file, const std::string& path, const std:
     changes.push_back({file, path, value, ""});
 }
 
+void CaseEdits::keep(const std::string& file, const std::string& path, const std::string& value)
+{
+    kept.push_back({file, path, value, ""});
+}
+
 void CaseEdits::remove(const std::string& file, const std::string& path, const std::string& note)
 {
     removals.push_back({file, path, note});
@@ -63,6 +68,7 @@ void CaseEdits::remove(const std::string& file, const std::string& path, const s
 void CaseEdits::add(const CaseEdits& others)
 {
     changes.insert(changes.end(), others.changes.begin(), others.changes.end());
+    kept.insert(kept.end(), others.kept.begin(), others.kept.end());
     removals.insert(removals.end(), others.removals.begin(), others.removals.end());
     for (const auto& [file, text] : others.additions) additions[file] += text;
     notes.insert(notes.end(), others.notes.begin(), others.notes.end());
@@ -74,6 +80,7 @@ void CaseEdits::make(const Case& theCase, const std::filesystem::path& copy) con
     std::map<std::string, std::set<std::string>> macros;
     for (const CaseChange& one : changes) macros[one.file] = macrosOf(textOf(root / one.file));
     for (const Removal& one : removals) macros[one.file] = macrosOf(textOf(root / one.file));
+    for (const CaseChange& one : kept) change(theCase, copy, one);
     for (const CaseChange& one : changes) change(theCase, copy, one);
     for (const Removal& one : removals) {
         const EntryEdit edit = removeEntry(copy / one.file, root, one.path, one.note);

@@ -14,11 +14,14 @@ struct CaseEdits {
         std::string file, path, note;
     };
     std::vector<CaseChange> changes;
+    std::vector<CaseChange> kept; ///< what an entry would lose by the changes; these come first
     std::vector<Removal> removals;
     std::map<std::string, std::string> additions; ///< text behind a file, by file
     std::vector<std::string> notes;               ///< sentences for the copy's README
 
     void set(const std::string& file, const std::string& path, const std::string& value);
+    /// The value an entry has, where it is taken from one that changes.
+    void keep(const std::string& file, const std::string& path, const std::string& value);
     void remove(const std::string& file, const std::string& path, const std::string& note);
     void add(const CaseEdits& others);
     /// Throws InputError where one cannot be made.

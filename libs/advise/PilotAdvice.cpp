@@ -13,7 +13,7 @@ namespace fpm {
 namespace {
 
 const std::string partFile = "constant/partProperties", contactFile = "system/contactDict";
-constexpr double rigidShare = 0.01;    ///< of the largest deviation of any part
+constexpr double rigidShare = 0.02;    ///< of the largest deviation of any part
 constexpr double yieldShare = 0.5;     ///< of the first yield stress
 constexpr double energyNothing = 1e-4; ///< of the largest energy
 
@@ -105,9 +105,31 @@ private:
             if (wanted != words.end())
                 edits.set(partFile, "parts." + part.name + ".model", wanted->second);
             else if (!parts.sub(part.name).has("model"))
-                edits.set(partFile, "parts." + part.name + ".model", word(part.kind));
+                edits.keep(partFile, "parts." + part.name + ".model", word(part.kind));
         }
         return edits;
+    }
+
+    /// A rigid part has no use for what its elements had.
+    CaseEdits rigidEdits(const std::string& name) const
+    {
+        static const std::vector<std::string> kept{"model", "like", "density", "youngsModulus",
+                                                   "poissonsRatio"};
+        CaseEdits edits = models({{name, "rigidFree"}});
+        const Dictionary part = case_.dictionary(partFile).sub("parts").sub(name);
+        for (const std::string& key : part.keys())
+            if (std::find(kept.begin(), kept.end(), key) == kept.end())
+                edits.remove(partFile, "parts." + name + "." + key, key + ": of a deformable part");
+        return edits;
+    }
+
+    /// Others that take entries from this part would lose them with it.
+    bool isLent(const std::string& name) const
+    {
+        const Dictionary parts = case_.dictionary(partFile).sub("parts");
+        return std::any_of(model_.parts.begin(), model_.parts.end(), [&](const Part& part) {
+            return parts.sub(part.name).wordOr("like", "") == name;
+        });
     }
 
     void rigid()
@@ -117,7 +139,8 @@ private:
         for (std::size_t p = 0; p < model_.parts.size(); ++p) {
             const Part& part = model_.parts[p];
             const PartExtremes& seen = results_.parts[p];
-            if (isRigid(part.kind) || !(most > 0) || !isLoose(Index(p))) continue;
+            if (isRigid(part.kind) || !(most > 0) || !isLoose(Index(p)) || isLent(part.name))
+                continue;
             if (seen.plasticStrain > 0 || seen.deviation > rigidShare * most) continue;
             const double all = double(model_.mesh.hexahedra.size());
             advice_.push_back(
@@ -129,7 +152,8 @@ private:
                         toText(100 * model_.mesh.parts[p].elementCount / all, 3)),
                  "stress waves in it are lost, the other side alone gives the contact stiffness; "
                  "-measure tells how much that is",
-                 models({{part.name, "rigidFree"}}), false});
+                 rigidEdits(part.name), false});
+            advice_.back().part = part.name;
         }
     }
 
@@ -151,6 +175,7 @@ private:
                         model_.mesh.parts[p].elementCount),
                  "none while it does not yield; what happens between the frames was not seen",
                  models({{part.name, "elastic"}}), false});
+            advice_.back().part = part.name;
         }
     }
 
