@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "dictionary/Dictionary.h"
+#include "dictionary/Lexer.h"
 #include "dictionary/Parser.h"
 #include "dictionary/Report.h"
 
@@ -63,7 +64,41 @@ EntryEdit replaced(const Document& document, const Entry& entry, std::string_vie
                   std::string(value));
 }
 
+/// Where the entry that begins at `offset` ends, its semicolon or closing brace included.
+std::size_t entryEnd(const Source& source, std::size_t offset)
+{
+    Document rest;
+    rest.files.push_back({source.name, source.text.substr(offset), {}, {}});
+    Lexer lexer(rest, 0);
+    int depth = 0;
+    for (;;) {
+        const Token token = lexer.take();
+        depth += token.kind == TokenKind::openBrace;
+        depth -= token.kind == TokenKind::closeBrace;
+        const bool ends = token.kind == TokenKind::closeBrace || token.kind == TokenKind::semicolon;
+        if (depth > 0 || !ends) continue;
+        const Token& last = lexer.peek().kind == TokenKind::semicolon ? lexer.peek() : token;
+        return offset + last.offset + last.length;
+    }
+}
+
 } // namespace
+
+EntryEdit removeEntry(const std::filesystem::path& file,
+                      const std::filesystem::path& root,
+                      std::string_view path,
+                      std::string_view note)
+{
+    const auto document = parseFile(file, root, Macros::keep);
+    const auto reach = follow(document->nodes.front(), path);
+    if (reach.entry == nullptr)
+        throw InputError(
+            format("{}: there is no entry '{}' to take out", document->files.front().name, path));
+    const Token& key = reach.entry->keyword;
+    const auto& source = document->files[key.file];
+    return edited(source, key.offset, entryEnd(source, key.offset) - key.offset,
+                  format("/* {} */", note));
+}
 
 EntryEdit setEntry(const std::filesystem::path& file,
                    const std::filesystem::path& root,

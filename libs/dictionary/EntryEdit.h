@@ -23,6 +23,13 @@ EntryEdit setEntry(const std::filesystem::path& file,
                    std::string_view path,
                    std::string_view value);
 
+/// Takes the entry or dictionary at `path` out and leaves `note`, one line, as a comment in its
+/// place. Throws as setEntry, and InputError where there is none.
+EntryEdit removeEntry(const std::filesystem::path& file,
+                      const std::filesystem::path& root,
+                      std::string_view path,
+                      std::string_view note);
+
 /// The dictionaries of `path` that `file` has: "parts.rod" of "parts.rod.hourglass.form" where
 /// there is no hourglass; all of `path` where the entry itself is there. Throws as
 /// Dictionary::read.

@@ -148,8 +148,19 @@ const char* precisionName(Precision precision)
                                            : "single";
 }
 
+/// A number a pair, for programs that ask which friction does anything.
+std::string frictionWorks(Solver& solver, const Model& model)
+{
+    std::string text;
+    for (std::size_t number = 0; number < model.contactPairs.size(); ++number)
+        if (model.contactPairs[number].friction > 0)
+            text += format("  \"frictionWork {}\": {},\n", model.contactPairs[number].name,
+                           toText(solver.pairForce(number).friction));
+    return text;
+}
+
 /// What scripts read of a run; null is what was not timed, or has no meaning.
-std::string performanceText(const Solver& solver, const Model& model, const std::string& checksum)
+std::string performanceText(Solver& solver, const Model& model, const std::string& checksum)
 {
     const StepTimes& t = solver.times();
     const StepClock clock = solver.clock();
@@ -172,6 +183,7 @@ std::string performanceText(const Solver& solver, const Model& model, const std:
                     model.control.backend, precisionName(model.control.precision),
                     model.control.paperAlgorithm ? "paper" : "default")
            + format("  \"description\": \"{}\",\n", solver.description())
+           + frictionWorks(solver, model)
            + format(
                "  \"bytesPerElementStep\": {}, \"deviceBytes\": {}, \"checksum\": \"{}\"\n}\n",
                over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true, 4),

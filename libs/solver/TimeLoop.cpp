@@ -149,7 +149,7 @@ private:
     {
         energies_ = solver_.energies();
         histories_.sample(solver_, energies_);
-        while (sampleTime(samples_) <= clock_.time + tiny()
+        while (control_.historyInterval > 0 && sampleTime(samples_) <= clock_.time + tiny()
                && sampleTime(samples_) < control_.endTime)
             ++samples_;
         if (!std::isfinite(energies_.total))

@@ -127,3 +127,21 @@ TEST(DictionaryTexts, CanonicalTextHoldsWhatIsSaidAndNotHow)
     EXPECT_NE(text("a { b 1; } c 2;"), text("a { b 1; c 2; }"));
     EXPECT_NE(text("a ({ b 1; });"), text("a ({ b 2; });"));
 }
+
+TEST_F(EntryEditTest, TakesAnEntryOutAndLeavesANote)
+{
+    write("pairs\n{\n    a { friction { static 1; } /* } */ }  // first\n    b { target x; };\n"
+          "    c ((0 0) (1 1)); d 1;\n}\n");
+    const auto removed = [&](const std::string& path) {
+        const auto edit = removeEntry(folder_ / "dict", folder_.path(), path, "gone");
+        write(edit.text);
+        return edit.text;
+    };
+    EXPECT_EQ(removed("pairs.a"), "pairs\n{\n    /* gone */  // first\n    b { target x; };\n"
+                                  "    c ((0 0) (1 1)); d 1;\n}\n");
+    EXPECT_EQ(removed("pairs.b"), "pairs\n{\n    /* gone */  // first\n    /* gone */\n"
+                                  "    c ((0 0) (1 1)); d 1;\n}\n");
+    EXPECT_EQ(removed("pairs.c"), "pairs\n{\n    /* gone */  // first\n    /* gone */\n"
+                                  "    /* gone */ d 1;\n}\n");
+    EXPECT_THROW(removed("pairs.e"), InputError);
+}

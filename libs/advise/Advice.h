@@ -1,0 +1,28 @@
+#pragma once
+
+#include "advise/CaseEdits.h"
+#include "base/Log.h"
+
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// Words of -apply, in the order they are made in.
+const std::vector<std::string>& adviceKinds();
+
+/// One way to model less of a scene.
+struct Advice {
+    std::string kind;    ///< a word of adviceKinds()
+    std::string subject; ///< "planes x = 0, y = 0", "part rod"
+    std::string reason;  ///< what it rests on, with figures
+    std::string saving;
+    std::string price;        ///< what error it may bring
+    CaseEdits edits;          ///< of the dictionaries; symmetry cuts the mesh besides
+    bool measureOnly = false; ///< nothing but a comparison can tell whether it holds
+    std::string part = {};    ///< that it is about; of several pieces the first is applied
+};
+
+void printAdvice(const std::vector<Advice>& advice, Log& log);
+
+} // namespace fpm

@@ -1,0 +1,117 @@
+#include "advise/Advise.h"
+
+#include "advise/PilotAdvice.h"
+#include "advise/ReducedCase.h"
+#include "advise/StaticAdvice.h"
+#include "advise/Trial.h"
+#include "base/Format.h"
+#include "dictionary/Number.h"
+#include "model/readModel.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+namespace fpm {
+
+namespace {
+
+std::vector<std::string> splitAtCommas(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::istringstream stream(text);
+    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+    return words;
+}
+
+std::vector<std::string> chosenKinds(const Run& run)
+{
+    std::vector<std::string> chosen = splitAtCommas(run.value("apply").value_or(""));
+    const auto& kinds = adviceKinds();
+    for (const std::string& word : chosen)
+        if (std::find(kinds.begin(), kinds.end(), word) == kinds.end()) {
+            std::string valid;
+            for (const std::string& kind : kinds) valid += (valid.empty() ? "" : ", ") + kind;
+            throw Error(ExitCode::commandLine, format("-apply knows no '{}'", word),
+                        "valid: " + valid);
+        }
+    if (run.has("apply") != run.has("to"))
+        throw Error(ExitCode::commandLine, "-apply and -to belong together",
+                    "such as: -apply symmetry,elastic -to ../reduced");
+    return chosen;
+}
+
+/// What of the advice is asked for; a kind nothing was found of is an error.
+std::vector<Advice> chosenAdvice(const std::vector<Advice>& advice,
+                                 const std::vector<std::string>& kinds)
+{
+    std::vector<Advice> chosen;
+    for (const std::string& kind : adviceKinds()) {
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
+        std::size_t found = 0;
+        for (const Advice& one : advice)
+            if (one.kind == kind) {
+                ++found;
+                const bool taken = std::any_of(chosen.begin(), chosen.end(), [&](const Advice& a) {
+                    return !one.part.empty() && a.part == one.part;
+                });
+                if (!taken) chosen.push_back(one);
+            }
+        if (found == 0)
+            throw Error(
+                ExitCode::commandLine, format("there is no advice of kind {} to apply", kind),
+                "leave it out of -apply; what needs results needs -pilot or a finished run");
+    }
+    return chosen;
+}
+
+/// Of a pilot run, else those the case has.
+std::optional<Results> findResults(Run& run, const Model& model)
+{
+    if (const auto text = run.value("pilot")) {
+        const auto share = readNumber(*text);
+        if (!share || !(*share > 0) || *share > 1)
+            throw Error(ExitCode::commandLine, format("-pilot {} is no share of endTime", *text),
+                        "such as: -pilot 0.3; more than 0, at most 1");
+        return pilotRun(run.theCase, model, *share, run.log);
+    }
+    auto results = readResults(run.theCase.root(), model);
+    if (!results)
+        run.log.line("no results of this mesh: advice on rigid and elastic parts, friction and "
+                     "damping needs -pilot or a finished run");
+    return results;
+}
+
+} // namespace
+
+std::vector<Option> adviseOptions()
+{
+    return {{"pilot", "<share>", "Run a copy up to this share of endTime for what needs results"},
+            {"measure", "", "Run the case without and with each piece of advice: time and errors"},
+            {"apply", "<kinds>", "Write a new case: symmetry, rigid, elastic, ...; commas between"},
+            {"to", "<dir>", "The folder of the new case; must not exist"}};
+}
+
+void advise(Run& run)
+{
+    const std::vector<std::string> kinds = chosenKinds(run);
+    const Model model = readModel(run.theCase, run.log);
+    std::vector<Advice> advice;
+    if (auto symmetry = symmetryAdvice(model, run.log)) advice.push_back(std::move(*symmetry));
+    const std::optional<Results> results = findResults(run, model);
+    for (Advice& one : results ? pilotAdvice(model, run.theCase, *results) : pairAdvice(model))
+        advice.push_back(std::move(one));
+    for (Advice& one : outputAdvice(model, run.theCase)) advice.push_back(std::move(one));
+    run.log.line();
+    printAdvice(advice, run.log);
+    if (run.has("measure")) {
+        run.log.line();
+        measureAdvice(run.theCase, model, advice, run.log);
+    }
+    if (kinds.empty()) return;
+    const std::vector<Advice> chosen = chosenAdvice(advice, kinds);
+    const bool cut = std::find(kinds.begin(), kinds.end(), "symmetry") != kinds.end();
+    writeReducedCase(run.theCase, chosen, cut, *run.value("to"), run.log);
+}
+
+} // namespace fpm

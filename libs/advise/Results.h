@@ -1,0 +1,40 @@
+#pragma once
+
+#include "io/Table.h"
+#include "model/Model.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace fpm {
+
+/// The most that was seen of a part in all frames.
+struct PartExtremes {
+    double mises = 0, plasticStrain = 0;
+    double strainEnergy = 0; ///< elastic, of the centre stresses
+    double deviation = 0;    ///< from the best rigid motion, root mean square [length]
+};
+
+/// What the frames and histories of a finished or pilot run tell.
+struct Results {
+    double lastTime = 0, longestStep = 0; ///< of the frames
+    std::size_t frames = 0;
+    double fastest = 0; ///< speed of any node in any frame
+    std::vector<PartExtremes> parts;
+    /// Lowest and highest place each node has been at.
+    std::vector<Point> low, high;
+    std::optional<Table> energies;
+    /// Of each contact pair, dissipated by friction; nothing where the run did not tell it.
+    std::vector<std::optional<double>> frictionWork;
+};
+
+/// Nothing where the case has fewer than two frames of the model's mesh.
+std::optional<Results> readResults(const std::filesystem::path& caseRoot, const Model& model);
+
+/// Largest value of a column of the energies.
+double largest(const Table& table, const std::string& column);
+/// Of kinetic, internal and external.
+double largestEnergy(const Table& energies);
+
+} // namespace fpm

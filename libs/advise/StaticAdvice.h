@@ -1,0 +1,25 @@
+#pragma once
+
+#include "advise/Advice.h"
+#include "application/Case.h"
+#include "model/Model.h"
+
+#include <optional>
+
+namespace fpm {
+
+/// Half, quarter or eighth: every mirror plane of the model at once. Nothing where there is none.
+std::optional<Advice> symmetryAdvice(const Model& model, Log& log);
+
+/// Pairs of surfaces that stay apart whatever happens, were no node ever faster than twice the
+/// fastest that initial conditions and drives ask for. Loads accelerate without bound: with any,
+/// none.
+std::vector<Advice> pairAdvice(const Model& model);
+
+/// Frames that system/probeDict does not read, and histories with more rows than a plot can show.
+std::vector<Advice> outputAdvice(const Model& model, const Case& theCase);
+
+/// The box of a pair's contactor and target, moved by `way` to all sides: whether they are apart.
+bool apart(const Mesh& mesh, const ContactPair& pair, const std::vector<double>& way);
+
+} // namespace fpm
