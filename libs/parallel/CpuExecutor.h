@@ -94,7 +94,8 @@ public:
     static void* allocate(std::size_t bytes)
     {
         const std::size_t alignment = bytes >= hugePage ? hugePage : 128;
-        void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+        void* memory =
+            std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
         if (!memory) throw std::bad_alloc();
 #ifdef __linux__
         // Many arrays are read at once; with small pages their addresses alone fill the TLB.

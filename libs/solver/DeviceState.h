@@ -108,8 +108,8 @@ struct DeviceState {
     Of<Position> position;
     Of<Motion> velocity, inverseMass, lastForce; ///< of dynamic relaxation
     Of<std::uint8_t> fixed;
-    Of<Index> listedNodes, conditionStart, frameOf, pressureFaceNode, pressureFaceCondition, pressureStart,
-        pressureSlots;
+    Of<Index> listedNodes, conditionStart, frameOf, pressureFaceNode, pressureFaceCondition,
+        pressureStart, pressureSlots;
     Of<ConditionUse> uses;
     Of<Condition> conditions;
     Of<Motion> pressureForce;
@@ -193,17 +193,17 @@ struct DeviceState {
     {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
-            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes() + partialSums.bytes()
-            + elementMass.bytes() + state.bytes() + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
-            + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
-            + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes()
-            + contactNumber.bytes() + contactSum.bytes() + searchPosition.bytes()
-            + contactNodes.bytes() + contactLimit.bytes() + contactTravel.bytes()
-            + contactInverseMass.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
-            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
-            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
-            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
-            + relaxationSum.bytes();
+            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes()
+            + partialSums.bytes() + elementMass.bytes() + state.bytes() + interiorForce.bytes()
+            + partialForce.bytes() + plasticStrain.bytes() + position.bytes() + velocity.bytes()
+            + inverseMass.bytes() + fixed.bytes() + listedNodes.bytes() + conditionStart.bytes()
+            + patchEnergy.bytes() + patchStep.bytes() + blockWork.bytes() + contactNumber.bytes()
+            + contactSum.bytes() + searchPosition.bytes() + contactNodes.bytes()
+            + contactLimit.bytes() + contactTravel.bytes() + contactInverseMass.bytes()
+            + blockEnergy.bytes() + uses.bytes() + frameOf.bytes() + frames.bytes()
+            + pressureFaceNode.bytes() + pressureFaceCondition.bytes() + pressureStart.bytes()
+            + pressureSlots.bytes() + pressureForce.bytes() + body.bytes() + conditions.bytes()
+            + amplitudeRows.bytes() + lastForce.bytes() + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

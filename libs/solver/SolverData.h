@@ -48,9 +48,9 @@ struct PairData {
 };
 
 /// Where the state of one element lies: first value of it and of its plastic strains; further
-/// values follow `stride` apart.
+/// values follow tileWidth apart.
 struct ElementPlace {
-    std::size_t part, state, strains, stride;
+    std::size_t part, state, strains;
 };
 
 /// Free rigid bodies, one a rigidFree part.
@@ -80,15 +80,15 @@ struct SolverData {
     std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
     std::vector<Index> slotNode, slotCornerStart;
     std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
-    std::vector<double> elementMass; ///< tiles of 1
-    std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
-    std::vector<double> ownNodeMass; ///< without: what weighs
+    std::vector<double> elementMass;                  ///< tiles of 1
+    std::vector<double> nodeMass;                     ///< that accelerates, with mass scaling
+    std::vector<double> ownNodeMass;                  ///< without: what weighs
     std::size_t scaledElements = 0;
-    RelaxationRules relaxation;  ///< tolerance 0: none
-    std::vector<Point> velocity; ///< initial
-    std::vector<std::uint8_t> fixed; ///< see InteriorNodes
-    bool sharesNodes = false;        ///< patches move their interior nodes themselves, and
-    std::vector<Index> listedNodes;  ///< NodePass only these
+    RelaxationRules relaxation;        ///< tolerance 0: none
+    std::vector<Point> velocity;       ///< initial
+    std::vector<std::uint8_t> fixed;   ///< see InteriorNodes
+    bool sharesNodes = false;          ///< patches move their interior nodes themselves, and
+    std::vector<Index> listedNodes;    ///< NodePass only these
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
     std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
@@ -113,9 +113,10 @@ struct SolverData {
     ElementPlace placeOf(Index element) const
     {
         const PatchHeader& patch = patches[std::size_t(elementPatch[std::size_t(element)])];
-        const std::size_t e = std::size_t(elementPlace[std::size_t(element)]);
-        return {std::size_t(patch.material), patch.state + e, patch.strains + e,
-                std::size_t(patch.stride)};
+        const StateLayout& layout = layouts[std::size_t(patch.material)];
+        const Index e = elementPlace[std::size_t(element)];
+        return {std::size_t(patch.material), patch.state + inTiles(e, layout.size()),
+                patch.strains + inTiles(e, layout.sums())};
     }
     double massOf(Index element) const
     {

@@ -1,7 +1,8 @@
 // Speed of the element and particle solvers: a block of n^3 elastoplastic hexahedra, random initial
 // velocities large enough to yield, no contact. Prints ns per element-step, median of the repeats,
 // of the wall and of the processor (all threads together).
-// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective] [assembly]
+// block [n] [steps] [repeats] [backend] [threads] [simd] [precision] [hourglass or selective]
+// [assembly]
 
 #include "solver/Solver.h"
 #include "support/solverModel.h"
@@ -57,10 +58,11 @@ int main(int argc, char** argv)
     std::sort(costs.begin(), costs.end());
     std::sort(work.begin(), work.end());
     const StepTimes& t = solver->times();
-    std::printf(
-        "%d^3 %s %s: median %.1f min %.1f ns per element-step (processor: median %.1f min %.1f; elements %.0f %%, nodes %.0f %%), "
-        "plastic work %.3g, checksum %016llx\n",
-        int(n), solver->description().c_str(), form.c_str(), costs[costs.size() / 2], costs[0], work[work.size() / 2], work[0],
-        100 * t.element / t.total, 100 * t.node / t.total, solver->energies().plastic,
-        static_cast<unsigned long long>(solver->stateChecksum()));
+    std::printf("%d^3 %s %s: median %.1f min %.1f ns per element-step (processor: median %.1f min "
+                "%.1f; elements %.0f %%, nodes %.0f %%), "
+                "plastic work %.3g, checksum %016llx\n",
+                int(n), solver->description().c_str(), form.c_str(), costs[costs.size() / 2],
+                costs[0], work[work.size() / 2], work[0], 100 * t.element / t.total,
+                100 * t.node / t.total, solver->energies().plastic,
+                static_cast<unsigned long long>(solver->stateChecksum()));
 }

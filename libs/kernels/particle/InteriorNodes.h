@@ -29,10 +29,8 @@ struct InteriorNodes {
 
     /// Nodes first ... first + count - 1.
     template <class Team>
-    FPM_KERNEL void advance(const Team& team,
-                            std::size_t first,
-                            Index count,
-                            const StepClock& clock) const
+    FPM_KERNEL void
+    advance(const Team& team, std::size_t first, Index count, const StepClock& clock) const
     {
         const Motion h = Motion(clock.mean), dt = Motion(clock.step);
         const Motion* inverse = inverseMass + first;

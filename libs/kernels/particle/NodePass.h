@@ -48,8 +48,9 @@ struct NodePass {
     const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR
     const Index* partialSums;
     const Work* partialForce; ///< x y z and one unused value each
-    const std::uint8_t* fixed;        ///< bits 0..2: component held at zero velocity; bodyNode (left alone)
-    const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
+    const std::uint8_t*
+        fixed;                ///< bits 0..2: component held at zero velocity; bodyNode (left alone)
+    const Index* contactNode; ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
     const Index* conditionStart; ///< uses of a node: CSR; null without conditions
@@ -75,9 +76,8 @@ struct NodePass {
         double* partial = values + nodeWorks * nodeBlock;
         const Index first = block * nodeBlock;
         const Index count = nodeCount - first < nodeBlock ? nodeCount - first : nodeBlock;
-        team.forEach(count, [&](Index i) {
-            advance(list ? list[first + i] : first + i, values + i);
-        });
+        team.forEach(count,
+                     [&](Index i) { advance(list ? list[first + i] : first + i, values + i); });
         if (!ledger) return;
         team.barrier();
         blockSums(team, nodeWorks, count, values, nodeBlock, partial);
