@@ -101,6 +101,12 @@ FPM_KERNEL void store(Stored* p, const T& value)
 {
     NumberTraits<T>::store(p, value);
 }
+/// Asks for memory that will soon be read; only on a processor, for batches. Any address will do.
+template <class T, class Stored>
+FPM_KERNEL void prefetch([[maybe_unused]] const Stored* p)
+{
+    if constexpr (NumberTraits<T>::lanes > 1) __builtin_prefetch(p);
+}
 /// *p += value, in the type it is stored in.
 template <class T, class Stored>
 FPM_KERNEL void accumulate(Stored* p, const T& value)

@@ -180,14 +180,15 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
         const auto mean = [&](const auto& values, std::size_t first, int step, int count) {
             double sum = 0;
             for (int point = 0; point < count; ++point)
-                sum += double(values[first + std::size_t(step * point) * place.stride]);
+                sum += double(values[first + std::size_t(step * point) * std::size_t(tileWidth)]);
             return count > 0 ? sum / count : 0.0;
         };
         const double strain = mean(sums, place.strains, 1, layout.strains());
         const bool deleted = isDeleted(strain);
         for (std::size_t k = 0; k < 6; ++k)
             out.stress.push_back(
-                deleted ? 0 : mean(state, place.state + k * place.stride, 6, layout.points));
+                deleted ? 0
+                        : mean(state, place.state + k * std::size_t(tileWidth), 6, layout.points));
         out.plasticStrain.push_back(plasticStrainOf(strain));
         out.deleted.push_back(deleted);
         out.eroded.push_back(deleted ? double(state[place.state]) : 0);
@@ -195,8 +196,9 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
         if (data_.heats)
             out.temperature.push_back(
                 start
-                + mean(sums, place.strains + std::size_t(layout.temperature(0)) * place.stride, 1,
-                       layout.heats ? layout.points : 0));
+                + mean(sums,
+                       place.strains + std::size_t(layout.temperature(0)) * std::size_t(tileWidth),
+                       1, layout.heats ? layout.points : 0));
     }
     return out;
 }
@@ -214,9 +216,9 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
         const ElementPlace place = data_.placeOf(element);
         const StateLayout& layout = data_.layouts[place.part];
         for (std::size_t k = 0; k < std::size_t(layout.size()); ++k)
-            hash = hashed(hash, state[place.state + k * place.stride]);
+            hash = hashed(hash, state[place.state + k * std::size_t(tileWidth)]);
         for (std::size_t k = 0; k < std::size_t(layout.sums()); ++k)
-            hash = hashed(hash, strain[place.strains + k * place.stride]);
+            hash = hashed(hash, strain[place.strains + k * std::size_t(tileWidth)]);
     }
     for (const auto& pair : state_.pairs)
         for (const auto f : pair.friction.toHost()) hash = hashed(hash, f);

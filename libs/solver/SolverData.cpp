@@ -139,8 +139,8 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
                         "its nodes are numbered inside out, or the mesh is damaged: run fpmMesh");
     Index tile = 0;
     for (const Patch& patch : patches.patches) {
-        const Index stride = (patch.elementCount + 15) / 16 * 16;
-        data.patches.push_back({patch.elementCount, stride, tile, patch.firstSlot, patch.nodeCount,
+        const Index stride = (patch.elementCount + tileWidth - 1) / tileWidth * tileWidth;
+        data.patches.push_back({patch.elementCount, tile, patch.firstSlot, patch.nodeCount,
                                 interiorCount(patches, patch), 0, patch.part, data.stateSize,
                                 data.strainCount});
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
@@ -154,7 +154,8 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
             // Places beyond the last element repeat it: harmless work, no branch in the kernel.
             const Index element = patch.firstElement + std::min(e, patch.elementCount - 1);
             for (Index corner = 0; corner < 8; ++corner)
-                data.corners[8 * std::size_t(tile) + std::size_t(corner * stride + e)] =
+                data.corners[8 * std::size_t(tile) + inTiles(e, 8)
+                             + std::size_t(corner * tileWidth)] =
                     patches.corners[8 * std::size_t(element) + std::size_t(corner)];
             data.elementMass[std::size_t(tile + e)] = density * volume(model.mesh, element);
             if (e >= patch.elementCount) continue;

@@ -49,9 +49,9 @@ struct PairData {
 };
 
 /// Where the state of one element lies: first value of it and of its plastic strains; further
-/// values follow `stride` apart.
+/// values follow tileWidth apart.
 struct ElementPlace {
-    std::size_t part, state, strains, stride;
+    std::size_t part, state, strains;
 };
 
 /// Free rigid bodies, one a rigidFree part.
@@ -115,9 +115,10 @@ struct SolverData {
     ElementPlace placeOf(Index element) const
     {
         const PatchHeader& patch = patches[std::size_t(elementPatch[std::size_t(element)])];
-        const std::size_t e = std::size_t(elementPlace[std::size_t(element)]);
-        return {std::size_t(patch.material), patch.state + e, patch.strains + e,
-                std::size_t(patch.stride)};
+        const StateLayout& layout = layouts[std::size_t(patch.material)];
+        const Index e = elementPlace[std::size_t(element)];
+        return {std::size_t(patch.material), patch.state + inTiles(e, layout.size()),
+                patch.strains + inTiles(e, layout.sums())};
     }
     double massOf(Index element) const
     {

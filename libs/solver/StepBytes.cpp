@@ -12,6 +12,7 @@ std::size_t bytesFor(const SolverData& data)
     constexpr std::size_t position = 3 * sizeof(typename Numbers::Position),
                           motion = 3 * sizeof(typename Numbers::Motion),
                           work = sizeof(typename Numbers::Work),
+                          mass = sizeof(typename Numbers::Motion),
                           sum = sizeof(typename Numbers::Sum);
     std::size_t bytes = 0;
     for (const KernelGroup& group : data.groups)
@@ -19,19 +20,20 @@ std::size_t bytesFor(const SolverData& data)
             const PatchHeader& patch = data.patches[std::size_t(number)];
             const StateLayout& layout = data.layouts[std::size_t(patch.material)];
             const std::size_t elements = std::size_t(patch.elementCount),
-                              slots = std::size_t(patch.nodeCount);
+                              slots = std::size_t(patch.nodeCount),
+                              own = std::size_t(patch.interiorCount);
             bytes +=
                 elements
                 * (2 * 8 * sizeof(std::uint16_t) + work
                    + 2 * (std::size_t(layout.size()) * work + std::size_t(layout.sums()) * sum));
-            // A patch reads its nodes and writes its sums; the node reads them again.
-            bytes += slots * (position + motion + 2 * 3 * work + 3 * sizeof(Index));
+            bytes += slots * (position + motion + 2 * sizeof(Index));
+            // Sums at nodes of this patch alone are kept, the others' are partial sums.
+            bytes += own * 2 * 3 * work + (slots - own) * (2 * 4 * work + sizeof(Index));
         }
-    const std::size_t nodes = std::size_t(data.nodeCount);
-    return bytes
-           + nodes
-                 * (2 * position + 2 * motion + sizeof(typename Numbers::Motion) + sizeof(Index)
-                    + 1);
+    const std::size_t nodes = std::size_t(data.nodeCount),
+                      listed = data.sharesNodes ? data.listedNodes.size() : nodes;
+    return bytes + nodes * (position + motion + mass + 1)      // moved, by whomever
+           + listed * (position + motion + 2 * sizeof(Index)); // read for that alone
 }
 
 } // namespace

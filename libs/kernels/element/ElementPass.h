@@ -8,11 +8,20 @@
 
 namespace fpm {
 
-/// A patch as the element kernel sees it. Element values lie in tiles: value k of local element e
-/// of a quantity with n values is at [n * tile + k * stride + e], stride = elements rounded up
-/// to 16.
+/// Element values lie in tiles of so many elements: one run of memory for all that a batch of
+/// elements needs of a quantity, at known distances.
+inline constexpr Index tileWidth = 16;
+
+/// Place of value 0 of local element e of a quantity with n values; the others follow tileWidth
+/// apart.
+FPM_KERNEL constexpr std::size_t inTiles(Index e, int n)
+{
+    return std::size_t(e / tileWidth * tileWidth) * std::size_t(n) + std::size_t(e % tileWidth);
+}
+
+/// A patch as the element kernel sees it.
 struct PatchHeader {
-    Index elementCount, stride;
+    Index elementCount;
     Index tile; ///< padded elements in all patches before
     Index firstSlot, nodeCount;
     Index interiorCount;   ///< its first nodes, numbered in a row: no other patch touches them
@@ -144,12 +153,13 @@ private:
         using T = typename Team::template Number<Work>;
         const MaterialConstants<Work>& m = materials[patch.material];
         const Work rate = clock->step > 0 ? Work(1 / clock->step) : Work(0);
-        const Index stride = patch.stride, count = patch.nodeCount;
+        const Index count = patch.nodeCount;
         const std::size_t tile = std::size_t(patch.tile);
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
-            loadModes(places, corners + 8 * tile + e, stride, x);
-            loadModes(places + 4 * count, corners + 8 * tile + e, stride, w);
+            const std::uint16_t* corner = corners + 8 * tile + inTiles(e, 8);
+            loadModes(places, corner, x);
+            loadModes(places + 4 * count, corner, w);
             const ElementStep<T> step =
                 updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
@@ -207,11 +217,10 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL static void
-    loadModes(const Work* places, const std::uint16_t* corner, Index stride, Modes<T>& out)
+    FPM_KERNEL static void loadModes(const Work* places, const std::uint16_t* corner, Modes<T>& out)
     {
         T x[8], y[8], z[8], m[8];
-        for (int i = 0; i < 8; ++i) gather<T>(places, corner + i * stride, x[i], y[i], z[i]);
+        for (int i = 0; i < 8; ++i) gather<T>(places, corner + i * tileWidth, x[i], y[i], z[i]);
         toModes(x, m);
         for (int k = 1; k < 8; ++k) out.mode[k].x = m[k];
         toModes(y, m);
@@ -221,24 +230,24 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL static Sym3<T> loadTensor(const Work* s, Index stride)
+    FPM_KERNEL static Sym3<T> loadTensor(const Work* s)
     {
         return {load<T>(s),
-                load<T>(s + stride),
-                load<T>(s + 2 * stride),
-                load<T>(s + 3 * stride),
-                load<T>(s + 4 * stride),
-                load<T>(s + 5 * stride)};
+                load<T>(s + tileWidth),
+                load<T>(s + 2 * tileWidth),
+                load<T>(s + 3 * tileWidth),
+                load<T>(s + 4 * tileWidth),
+                load<T>(s + 5 * tileWidth)};
     }
     template <class T>
-    FPM_KERNEL static void storeTensor(Work* s, Index stride, const Sym3<T>& from)
+    FPM_KERNEL static void storeTensor(Work* s, const Sym3<T>& from)
     {
         store(s, from.xx);
-        store(s + stride, from.yy);
-        store(s + 2 * stride, from.zz);
-        store(s + 3 * stride, from.xy);
-        store(s + 4 * stride, from.yz);
-        store(s + 5 * stride, from.zx);
+        store(s + tileWidth, from.yy);
+        store(s + 2 * tileWidth, from.zz);
+        store(s + 3 * tileWidth, from.xy);
+        store(s + 4 * tileWidth, from.yz);
+        store(s + 5 * tileWidth, from.zx);
     }
 
     template <class T>
@@ -248,28 +257,32 @@ private:
                               Index e,
                               int point) const
     {
-        const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        const Work* first = state + patch.state + e;
-        to.stress = loadTensor<T>(first + layout.stress(point) * stride, stride);
+        const Work* first = state + patch.state + inTiles(e, layout.size());
+        // The same place of the next tile: no two loads are a fixed distance apart, which is what
+        // a processor would foresee by itself.
+        if (point == 0)
+            for (int k = 0; k < layout.size(); ++k)
+                prefetch<T>(first + (layout.size() + k) * tileWidth);
+        const Sum* sums = plasticStrain + patch.strains + inTiles(e, layout.sums());
+        to.stress = loadTensor<T>(first + layout.stress(point) * tileWidth);
         to.equivalentPlasticStrain =
-            layout.plastic ? load<T>(plasticStrain + patch.strains + point * stride + e)
-                           : T(Work(0));
+            layout.plastic ? load<T>(sums + point * tileWidth) : T(Work(0));
         if constexpr (Material::general) {
             to.backstress =
                 Sym3<T>{T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0))};
             to.temperatureRise = T(Work(0));
             if (layout.kinematic)
-                to.backstress = loadTensor<T>(first + layout.backstress(point) * stride, stride);
+                to.backstress = loadTensor<T>(first + layout.backstress(point) * tileWidth);
             if (layout.heats)
-                to.temperatureRise =
-                    load<T>(plasticStrain + patch.strains + layout.temperature(point) * stride + e);
+                to.temperatureRise = load<T>(sums + layout.temperature(point) * tileWidth);
         }
         if constexpr (Hourglass::stateSize > 0) {
-            const Work* q = first + layout.hourglassForces() * stride;
+            const Work* q = first + layout.hourglassForces() * tileWidth;
             for (int j = 0; j < 4; ++j)
-                to.hourglass[j] = {load<T>(q + 3 * j * stride), load<T>(q + (3 * j + 1) * stride),
-                                   load<T>(q + (3 * j + 2) * stride)};
+                to.hourglass[j] = {load<T>(q + 3 * j * tileWidth),
+                                   load<T>(q + (3 * j + 1) * tileWidth),
+                                   load<T>(q + (3 * j + 2) * tileWidth)};
         }
     }
 
@@ -281,28 +294,26 @@ private:
                                Index e,
                                int point) const
     {
-        const Index stride = patch.stride;
         const StateLayout layout = layoutOf(m);
-        Work* first = state + patch.state + e;
-        storeTensor(first + layout.stress(point) * stride, stride, from.stress);
-        if (layout.plastic)
-            accumulate(plasticStrain + patch.strains + point * stride + e,
-                       step.plasticStrainIncrement);
+        Work* first = state + patch.state + inTiles(e, layout.size());
+        Sum* sums = plasticStrain + patch.strains + inTiles(e, layout.sums());
+        storeTensor(first + layout.stress(point) * tileWidth, from.stress);
+        if (layout.plastic) accumulate(sums + point * tileWidth, step.plasticStrainIncrement);
         if constexpr (Material::general) {
             if (layout.kinematic)
-                storeTensor(first + layout.backstress(point) * stride, stride, from.backstress);
+                storeTensor(first + layout.backstress(point) * tileWidth, from.backstress);
             if (layout.heats)
-                accumulate(plasticStrain + patch.strains + layout.temperature(point) * stride + e,
+                accumulate(sums + layout.temperature(point) * tileWidth,
                            massRatio
                                ? load<T>(massRatio + patch.tile + e) * step.temperatureIncrement
                                : step.temperatureIncrement);
         }
         if constexpr (Hourglass::stateSize > 0) {
-            Work* q = first + layout.hourglassForces() * stride;
+            Work* q = first + layout.hourglassForces() * tileWidth;
             for (int j = 0; j < 4; ++j) {
-                store(q + 3 * j * stride, from.hourglass[j].x);
-                store(q + (3 * j + 1) * stride, from.hourglass[j].y);
-                store(q + (3 * j + 2) * stride, from.hourglass[j].z);
+                store(q + 3 * j * tileWidth, from.hourglass[j].x);
+                store(q + (3 * j + 1) * tileWidth, from.hourglass[j].y);
+                store(q + (3 * j + 2) * tileWidth, from.hourglass[j].z);
             }
         }
     }

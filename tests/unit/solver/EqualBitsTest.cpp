@@ -73,6 +73,26 @@ TEST_P(EqualBits, ThreadsDoNotChangeTheState)
             << threads << " threads";
 }
 
+/// Nodes that are held or touch are none of those that patches move themselves.
+TEST_P(EqualBits, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
+{
+    const Model model = impact(GetParam());
+    Model gather = model;
+    gather.control.assembly = Assembly::gather;
+    const SolverData data = makeSolverData(model);
+    EXPECT_TRUE(data.sharesNodes);
+    EXPECT_GT(data.nodeCount, Index(data.listedNodes.size()) + 30);
+    EXPECT_FALSE(makeSolverData(gather).sharesNodes);
+    const int steps = 150;
+    const std::uint64_t expected = checksumOf(gather, "serial", 1, "scalar", steps);
+    for (const char* simd : {"scalar", "avx2", "avx512"}) {
+        if (std::string(simd) == "avx512" && !hasAvx512()) continue;
+        for (const int threads : {1, 2})
+            EXPECT_EQ(checksumOf(model, "openmp", threads, simd, steps), expected)
+                << simd << ", " << threads << " threads";
+    }
+}
+
 TEST_P(EqualBits, PausesOfTheHostDoNotChangeTheState)
 {
     const Model model = impact(GetParam());

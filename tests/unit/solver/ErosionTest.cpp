@@ -164,6 +164,20 @@ TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
     EXPECT_GT(rows[1], 0);
 }
 
+// Nodes that patches move themselves become contactors when what covered them is deleted.
+TEST(Erosion, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
+{
+    Model model = layers(4e5, 0.3);
+    const auto patch = startedSolver(model);
+    model.control.assembly = Assembly::gather;
+    const auto gather = startedSolver(model);
+    const std::size_t listed = patch->data().listedNodes.size();
+    patch->advance(1, 800);
+    gather->advance(1, 800);
+    EXPECT_GT(patch->data().listedNodes.size(), listed);
+    EXPECT_EQ(patch->stateChecksum(), gather->stateChecksum());
+}
+
 TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
 {
     Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
