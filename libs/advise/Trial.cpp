@@ -127,10 +127,13 @@ void report(const Advice& advice,
             Log& log)
 {
     log.line(format("{}: {}", advice.kind, advice.subject));
-    log.line(format(
-        "     time {} s -> {} s ({} % saved), element-steps {} -> {}", toText(whole.wall, 3),
-        toText(reduced.wall, 3), toText(100 * (1 - reduced.wall / whole.wall), 3),
-        toText(whole.elements * whole.steps, 4), toText(reduced.elements * reduced.steps, 4)));
+    log.line(
+        format("     time {} s -> {} s of the processors ({} % saved), {} s -> {} s of the clock",
+               toText(whole.cpu, 3), toText(reduced.cpu, 3),
+               toText(100 * (1 - reduced.cpu / whole.cpu), 3), toText(whole.wall, 3),
+               toText(reduced.wall, 3)));
+    log.line(format("     element-steps {} -> {}", toText(whole.elements * whole.steps, 4),
+                    toText(reduced.elements * reduced.steps, 4)));
     for (const ColumnError& error : errors)
         log.line(format("     {} error {}", error.name, toText(error.error, 3)));
 }
