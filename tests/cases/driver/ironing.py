@@ -81,5 +81,5 @@ def coarse(binaries, marks):
 
 def check(binaries, marks):
     """Both sides twice as fine, until the forces have been taken: at 3 ms, in the unloaded block
-    behind the punch, the physical hourglass form flutters (doc/limits.md)."""
+    behind the punch, the physical hourglass form makes energy (doc/limits.md)."""
     run(binaries, marks, (120, 30), (24, 12), MIDDLE + 1e-4)
