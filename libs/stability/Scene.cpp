@@ -3,6 +3,7 @@
 #include "mesh/Patches.h"
 #include "mesh/Surface.h"
 #include "mesh/addBox.h"
+#include "model/NodeSelection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +33,6 @@ std::vector<ElementSide> facing(const Mesh& mesh, const std::string& part, int a
     for (const ElementSide& side : skin(mesh, mesh.findPart(part)))
         if (sense * normal(mesh, side)[std::size_t(axis)] > 0.7) chosen.push_back(side);
     return chosen;
-}
-
-std::vector<Index> nodesOfPart(const Mesh& mesh, Index part)
-{
-    const MeshPart& run = mesh.parts[std::size_t(part)];
-    std::vector<Index> nodes;
-    for (Index e = run.firstElement; e < run.firstElement + run.elementCount; ++e)
-        for (const Index node : mesh.hexahedra[std::size_t(e)]) nodes.push_back(node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
 }
 
 void finish(Model& model)

@@ -47,10 +47,9 @@ struct NodePass {
     const Work* interiorForce;     ///< of the elements, three planes: nodes of one patch
     const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR
     const Index* partialSums;
-    const Work* partialForce; ///< x y z and one unused value each
-    const std::uint8_t*
-        fixed;                ///< bits 0..2: component held at zero velocity; bodyNode (left alone)
-    const Index* contactNode; ///< number among the contact nodes, -1; null without contact
+    const Work* partialForce;  ///< x y z and one unused value each
+    const std::uint8_t* fixed; ///< bits 0..2: component held at zero velocity; bodyNode: left alone
+    const Index* contactNode;  ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
     const Index* conditionStart; ///< uses of a node: CSR; null without conditions

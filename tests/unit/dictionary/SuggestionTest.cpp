@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace fpm {
 
 TEST(Suggestion, CountsEdits)
@@ -44,7 +46,7 @@ TEST(Suggestion, CutsALongList)
     const auto text = listed(std::vector<std::string>(100, "key"));
 
     EXPECT_TRUE(text.ends_with(", key, ..."));
-    EXPECT_LT(text.size(), 260u);
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'k'), 48);
 }
 
 } // namespace fpm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/Surface.h"
+#include "model/NodeSelection.h"
 #include "solver/Solver.h"
 #include "support/solverModel.h"
 
@@ -35,13 +36,7 @@ inline std::vector<Index> nodesWhere(const Mesh& mesh, const std::function<bool(
 /// Nodes of a part, ascending.
 inline std::vector<Index> nodesOfPart(const Mesh& mesh, const std::string& name)
 {
-    const MeshPart& part = mesh.parts[std::size_t(mesh.findPart(name))];
-    std::vector<Index> nodes;
-    for (Index e = part.firstElement; e < part.firstElement + part.elementCount; ++e)
-        for (const Index node : mesh.hexahedra[std::size_t(e)]) nodes.push_back(node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
+    return fpm::nodesOfPart(mesh, mesh.findPart(name));
 }
 
 /// Enters a contact pair between two lists of sides into the model and its mesh.
