@@ -16,6 +16,18 @@ FPM_KERNEL void atomicAdd64(std::int64_t* target, std::int64_t value)
 #endif
 }
 
+/// The same; `alone`: no other thread adds meanwhile, so that the processor need not lock.
+FPM_KERNEL void add64(std::int64_t* target, std::int64_t value, [[maybe_unused]] bool alone)
+{
+#ifndef __CUDA_ARCH__
+    if (alone) {
+        *target += value;
+        return;
+    }
+#endif
+    atomicAdd64(target, value);
+}
+
 /// Puts `value` into *target and returns what was there.
 FPM_KERNEL Index atomicExchangeIndex(Index* target, Index value)
 {

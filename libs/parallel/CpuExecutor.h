@@ -92,6 +92,8 @@ public:
     }
 
     void synchronize() const {}
+    /// One index after the other: nothing has to be locked.
+    bool alone() const { return threads_ == 1; }
 
     /// step() `count` times.
     template <class Step>

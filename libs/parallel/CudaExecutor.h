@@ -122,6 +122,7 @@ public:
         checkCuda(cudaGetLastError(), "kernel launch");
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
+    static bool alone() { return false; }
 
     /// step() `count` times. Full runs of graphSteps are recorded once as a graph and replayed, so
     /// what step launches may not change until forgetSteps. One replay in samplePeriod is launched

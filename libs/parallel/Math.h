@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace fpm {
 
@@ -84,6 +85,15 @@ FPM_KERNEL float select(bool condition, float a, float b)
     return condition ? a : b;
 }
 
+/// What a comparison of T gives: bool, or one for each lane. They combine by & | !.
+template <class T>
+using MaskOf = decltype(std::declval<T>() < std::declval<T>());
+
+template <class T>
+FPM_KERNEL T magnitude(T a)
+{
+    return select(a < T(0), -a, a);
+}
 template <class T>
 FPM_KERNEL T maximum(T a, T b)
 {

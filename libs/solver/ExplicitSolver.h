@@ -70,6 +70,7 @@ private:
     void renewPair(std::size_t pair, const PairRenewal& from);
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
+    ContactSums contactSums();
     PairView<Precision> pairView(std::size_t pair);
     SurfaceForce<Precision> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();

@@ -5,14 +5,19 @@
 namespace fpm {
 
 template <class Precision, class Executor>
+ContactSums ExplicitSolver<Precision, Executor>::contactSums()
+{
+    return {state_.contactSum.data(), data_.contactScale, executor_.alone()};
+}
+
+template <class Precision, class Executor>
 PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t number)
 {
     PairView<Precision> view = state_.pairs[number].view(data_.pairs[number]);
     view.position = state_.position.data();
     view.velocity = state_.velocity.data();
     view.nodeStride = std::size_t(data_.nodeCount);
-    view.sum = state_.contactSum.data();
-    view.scale = data_.contactScale;
+    view.sums = contactSums();
     view.clock = state_.clock.data();
     return view;
 }
@@ -30,8 +35,7 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
             .position = state_.position.data(),
             .velocity = state_.velocity.data(),
             .nodeStride = std::size_t(data_.nodeCount),
-            .sum = state_.contactSum.data(),
-            .scale = data_.contactScale,
+            .sums = contactSums(),
             .clock = state_.clock.data(),
             .amplitudeRows = state_.amplitudeRows.data(),
             .reach = pair.reach,
@@ -47,12 +51,13 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
                           ClearContactSum{state_.contactSum.data(), state_.clock.data()});
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
         const Index contactors = Index(state_.pairs[pass].contactor.size());
+        using Force = ContactForce<Precision>;
         if (data_.pairs[pass].surface >= 0)
             executor_.parallelFor(contactors, surfaceForce(pass));
         else
-            executor_.parallelFor(
-                contactors, ContactForce<Precision>{pairView(pass),
-                                                    state_.pairs[pass].cells(data_.pairs[pass])});
+            executor_.parallelBlocks(
+                (contactors + Force::block - 1) / Force::block, 0,
+                Force{pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
     }
     using Limit = ContactLimit<typename Precision::Motion>;
     const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),

@@ -96,14 +96,6 @@ FPM_KERNEL FacePoint<Work> closestTrianglePoint(const FaceCorners<Work>& face,
     return best;
 }
 
-/// Inside the face, its borders included: wider than rounding, far below what a gap can notice.
-template <class Work>
-FPM_KERNEL bool isInside(Work xi, Work eta)
-{
-    const Work border = Work(1) + (sizeof(Work) == 8 ? Work(1e-8) : Work(1e-4));
-    return xi <= border && -xi <= border && eta <= border && -eta <= border;
-}
-
 /// Nearest point of the face, from a start value near it or (0, 0). Newton's method inside; on the
 /// edges, segment by segment; on the two triangles where Newton fails, as it may on strongly warped
 /// faces that are a face's width away.

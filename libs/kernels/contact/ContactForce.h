@@ -13,21 +13,48 @@ struct ContactForce {
     PairView<Precision> pair;
     CellLists cells;
 
-    FPM_KERNEL void operator()(Index i) const
+    static constexpr Index block = 256;
+
+    /// Contactors of one block: those that lie over the face they are tracked on, most of them, as
+    /// many lanes at a time as the team has; the others one by one.
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index number) const
     {
+        using T = typename Team::template Number<Work>;
         if (!pair.clock->running) return;
-        const Index before = pair.face[i];
-        if (before < 0) {
-            if (before == noFace) open(i, Work(1));
-            return;
-        }
-        const Origin origin{before, pair.xi[i], pair.eta[i]};
-        Tracked<Work> now = FaceTracker<Precision>{pair, cells}.follow(i);
+        const Index first = number * block, left = pair.contactorCount - first;
+        team.template forEachBatch<Work>(left < block ? left : block, [&](Index e) {
+            const SteadyContactors<Precision, T> steady(pair, first + e);
+            for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+                const Index i = first + e + lane;
+                if (i >= pair.contactorCount) continue;
+                const Index face = pair.face[i];
+                if (steady.holds(lane))
+                    press(i, steady.tracked(lane, face));
+                else if (face >= 0)
+                    press(i, FaceTracker<Precision>{pair, cells}.follow(i));
+                else if (face == noFace)
+                    open(i, Work(1));
+            }
+        });
+    }
+
+private:
+    /// Where the contactor was at the last step: face and place on it.
+    struct Origin {
+        Index face;
+        Work xi, eta;
+    };
+
+    /// Spring, friction and damping against the face found now.
+    FPM_KERNEL void press(Index i, const Tracked<Work>& now) const
+    {
+        const Origin origin{pair.face[i], pair.xi[i], pair.eta[i]};
         const Index face = now.face;
         pair.face[i] = face;
         pair.xi[i] = now.xi;
         pair.eta[i] = now.eta;
-        Projection<Work>& at = now.at;
+        const Projection<Work>& at = now.at;
         const Work stiffness = stiffnessOf(i, face);
         const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
         if (now.beyond || !(at.gap < pair.reach)) {
@@ -44,28 +71,21 @@ struct ContactForce {
             open(i, stiffness, way);
             return;
         }
-        at.gap = relievedGap(pair, i, at.gap, stiffness);
+        const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
-        if (at.gap < 0) {
+        if (gap < 0) {
             const Work pressed =
-                pair.law.normalForce(i, stiffness, at.gap, massOf(i, face), way, pair.clock->step);
+                pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if (pair.law.friction.acts())
                 force += tangential(i, face, origin, at, stiffness, pressed, held);
-            pair.law.spring[i] = pair.law.energy(stiffness, at.gap, held);
+            pair.law.spring[i] = pair.law.energy(stiffness, gap, held);
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, face, at, force, stiffness);
+        share(i, face, at, gap < 0, force, stiffness);
     }
-
-private:
-    /// Where the contactor was at the last step: face and place on it.
-    struct Origin {
-        Index face;
-        Work xi, eta;
-    };
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
     /// force has a potential also where the contactor comes to faces of other stiffness.
@@ -75,9 +95,10 @@ private:
             return pair.heldStiffness[i];
         return pair.law.stiffness(i, pair.faceStiffness[face]);
     }
-    /// No touch: no force.
+    /// No touch: no force. Who did not touch before has nothing to tell.
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
     {
+        if (!(pair.law.spring[i] > 0)) return;
         for (int c = 0; c < 3; ++c) pair.force[c * pair.contactorCount + i] = 0;
         pair.law.open(i, stiffness, way);
     }
@@ -154,35 +175,32 @@ private:
     FPM_KERNEL void share(Index i,
                           Index face,
                           const Projection<Work>& at,
+                          bool closed,
                           const Vec3<Work>& force,
                           Work stiffness) const
     {
         Work n[4];
         shapeFunctions(at.xi, at.eta, n);
-        const bool closed = at.gap < 0;
+        const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
         std::int64_t own[3] = {0, 0, 0};
         for (int k = 0; k < 4; ++k) {
-            std::int64_t* to =
-                pair.sum + 4 * std::size_t(pair.faceNumber[4 * std::size_t(face) + k]);
+            const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
             if (closed) {
-                const double part[3] = {double(-n[k] * force.x), double(-n[k] * force.y),
-                                        double(-n[k] * force.z)};
-                for (int c = 0; c < 3; ++c) {
-                    const std::int64_t fixed = pair.scale.force(part[c]);
-                    own[c] -= fixed;
-                    atomicAdd64(to + c, fixed);
-                }
+                const std::int64_t part[3] = {sums.scale.force(double(-n[k] * force.x)),
+                                              sums.scale.force(double(-n[k] * force.y)),
+                                              sums.scale.force(double(-n[k] * force.z))};
+                for (int c = 0; c < 3; ++c) own[c] -= part[c];
+                sums.addForce(corner, part);
             }
-            atomicAdd64(to + 3, pair.scale.spring(double(n[k] * bound)));
+            sums.addStiffness(corner, double(n[k] * bound));
         }
-        std::int64_t* to = pair.sum + 4 * std::size_t(pair.contactorNumber[i]);
-        if (closed)
-            for (int c = 0; c < 3; ++c) {
-                atomicAdd64(to + c, own[c]);
-                pair.force[c * pair.contactorCount + i] = pair.scale.toForce(own[c]);
-            }
-        atomicAdd64(to + 3, pair.scale.spring(double(bound)));
+        if (closed) {
+            sums.addForce(pair.contactorNumber[i], own);
+            for (int c = 0; c < 3; ++c)
+                pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
+        }
+        sums.addStiffness(pair.contactorNumber[i], double(bound));
     }
 };
 

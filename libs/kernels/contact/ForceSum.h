@@ -18,4 +18,21 @@ struct ForceScale {
     FPM_KERNEL std::int64_t spring(double value) const { return std::int64_t(value * toSpring); }
 };
 
+/// What the pairs add to: force and stiffness of each contact node.
+struct ContactSums {
+    std::int64_t* values; ///< [contact node][4]: force and stiffness, fixed point
+    ForceScale scale;
+    bool alone; ///< one thread adds
+
+    FPM_KERNEL void addForce(Index number, const std::int64_t (&force)[3]) const
+    {
+        std::int64_t* to = values + 4 * std::size_t(number);
+        for (int c = 0; c < 3; ++c) add64(to + c, force[c], alone);
+    }
+    FPM_KERNEL void addStiffness(Index number, double stiffness) const
+    {
+        add64(values + 4 * std::size_t(number) + 3, scale.spring(stiffness), alone);
+    }
+};
+
 } // namespace fpm

@@ -85,8 +85,7 @@ struct PairView {
     const Position* position;
     const Motion* velocity;
     std::size_t nodeStride;
-    std::int64_t* sum; ///< [contact node][4]: force and stiffness, fixed point
-    ForceScale scale;
+    ContactSums sums;
     const StepClock* clock;
 
     Work reach; ///< distance at which a face is tracked

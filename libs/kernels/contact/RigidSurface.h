@@ -66,8 +66,7 @@ struct SurfaceForce {
     const typename Precision::Position* position;
     const typename Precision::Motion* velocity;
     std::size_t nodeStride;
-    std::int64_t* sum;
-    ForceScale scale;
+    ContactSums sums;
     const StepClock* clock;
     const double* amplitudeRows;
     double reach;   ///< gap at which a spring counts for the step
@@ -136,19 +135,19 @@ private:
             total += held;
         }
         law.spring[i] = law.energy(k, gap, held);
-        fixed[0] = scale.force(double(total.x));
-        fixed[1] = scale.force(double(total.y));
-        fixed[2] = scale.force(double(total.z));
+        fixed[0] = sums.scale.force(double(total.x));
+        fixed[1] = sums.scale.force(double(total.y));
+        fixed[2] = sums.scale.force(double(total.z));
     }
 
     FPM_KERNEL void share(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
     {
-        std::int64_t* to = sum + 4 * std::size_t(contactorNumber[i]);
-        for (int c = 0; c < 3; ++c) {
-            if (fixed[c] != 0) atomicAdd64(to + c, fixed[c]);
-            force[c * contactorCount + i] = scale.toForce(fixed[c]);
-        }
-        if (near) atomicAdd64(to + 3, scale.spring(double(Work(2) * law.limitFactor * k)));
+        if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0)
+            sums.addForce(contactorNumber[i], fixed);
+        for (int c = 0; c < 3; ++c)
+            force[c * contactorCount + i] = sums.scale.toForce(fixed[c]);
+        if (near)
+            sums.addStiffness(contactorNumber[i], double(Work(2) * law.limitFactor * k));
     }
     FPM_KERNEL static Vec3<Work> toWork(const Vec3<double>& v)
     {

@@ -13,6 +13,70 @@ struct Tracked {
     bool beyond; ///< it left the surface over a free edge
 };
 
+/// Contactors from `first` on, one in each lane of T, projected from where they were: those in reach
+/// of flat surface only that lie over the face they had are tracked by that alone, as most are.
+template <class Precision, class T>
+class SteadyContactors
+{
+public:
+    using Work = typename Precision::Work;
+    static constexpr int lanes = NumberTraits<T>::lanes;
+
+    FPM_KERNEL SteadyContactors(const PairView<Precision>& pair, Index first)
+    {
+        alignas(T) Work corner[12][lanes], start[2][lanes], flat[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const Index i = first + lane < pair.contactorCount ? first + lane : first;
+            const Index face = pair.face[i];
+            flat[lane] = Work(face >= 0 && pair.around[i] == aroundFlat && !pair.cold
+                              && first + lane < pair.contactorCount);
+            start[0][lane] = pair.xi[i];
+            start[1][lane] = pair.eta[i];
+            const std::size_t known = face < 0 ? 0 : std::size_t(face);
+            const FaceCorners<Work> corners = pair.corners(Index(known), pair.contactor[i]);
+            for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
+                prefetch<T>(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * known + k]));
+            prefetch<T>(pair.sums.values + 4 * std::size_t(pair.contactorNumber[i]));
+            for (int k = 0; k < 4; ++k) {
+                corner[3 * k][lane] = corners.corner[k].x;
+                corner[3 * k + 1][lane] = corners.corner[k].y;
+                corner[3 * k + 2][lane] = corners.corner[k].z;
+            }
+        }
+        FaceCorners<T> corners;
+        for (int k = 0; k < 4; ++k)
+            corners.corner[k] = {load<T>(corner[3 * k]), load<T>(corner[3 * k + 1]),
+                                 load<T>(corner[3 * k + 2])};
+        T xi = load<T>(start[0]), eta = load<T>(start[1]);
+        const MaskOf<T> inside =
+            projectWhere(load<T>(flat) > T(0), corners, xi, eta) & isInside(xi, eta);
+        if (!NumberTraits<T>::any(inside)) {
+            store(holds_, T(0));
+            return;
+        }
+        const Projection<T> at = gapAt(corners, clampedUnit(xi), clampedUnit(eta));
+        store(holds_, select(inside, T(1), T(0)));
+        const T values[9] = {at.xi,       at.eta,      at.gap,      at.normal.x, at.normal.y,
+                             at.normal.z, at.offset.x, at.offset.y, at.offset.z};
+        for (int k = 0; k < 9; ++k) store(values_[k], values[k]);
+    }
+
+    FPM_KERNEL bool holds(int lane) const { return holds_[lane] > 0; }
+    FPM_KERNEL Tracked<Work> tracked(int lane, Index face) const
+    {
+        const auto value = [&](int k) { return values_[k][lane]; };
+        return {face,
+                value(0),
+                value(1),
+                {value(0), value(1), {value(3), value(4), value(5)},
+                 {value(6), value(7), value(8)}, value(2)},
+                false};
+    }
+
+private:
+    alignas(T) Work holds_[lanes], values_[9][lanes];
+};
+
 /// Follows a contactor from face to face between searches: always to the nearest, by its warm
 /// projection and, where the surface is not flat, a look across the edges near it. Where faces that
 /// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
@@ -36,12 +100,7 @@ struct FaceTracker {
             aroundCorner(i, here, corners);
             return measured(i, here, corners);
         }
-        Work xi = pair.xi[i], eta = pair.eta[i];
-        if (project(corners, xi, eta) && pair.around[i] == aroundFlat && isInside(xi, eta)) {
-            const Work a = clampedUnit(xi), b = clampedUnit(eta);
-            return {here.face, a, b, gapAt(corners, a, b), false};
-        }
-        here.point = closestPoint(corners, xi, eta);
+        here.point = closestPoint(corners, pair.xi[i], pair.eta[i]);
         for (int hop = 0; hop < maxHops && hopped(i, here, corners); ++hop)
             if (hop == maxHops - 1)
                 pair.around[i] = aroundIntricate; // too far for hops: the cells know

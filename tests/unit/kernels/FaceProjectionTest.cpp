@@ -73,7 +73,8 @@ TEST(FaceProjection, FindsPointsOverAParallelogramInOneStep)
                      gap = uniform(random);
         const FaceCorners<double> face = seenFrom(corner, pointAbove(corner, xi, eta, gap));
         double foundXi = 0, foundEta = 0;
-        projectionStep(face, foundXi, foundEta);
+        double size;
+        EXPECT_TRUE(projectionStep(face, foundXi, foundEta, size));
         EXPECT_NEAR(foundXi, xi, 1e-12);
         EXPECT_NEAR(foundEta, eta, 1e-12);
         EXPECT_NEAR(gapAt(face, foundXi, foundEta).gap, gap, 1e-12);
