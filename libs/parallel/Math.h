@@ -111,11 +111,13 @@ FPM_KERNEL void store(Stored* p, const T& value)
 {
     NumberTraits<T>::store(p, value);
 }
-/// Asks for memory that will soon be read; only on a processor, for batches. Any address will do.
-template <class T, class Stored>
+/// Asks for memory that will soon be used; a processor only. Any address will do.
+template <class Stored>
 FPM_KERNEL void prefetch([[maybe_unused]] const Stored* p)
 {
-    if constexpr (NumberTraits<T>::lanes > 1) __builtin_prefetch(p);
+#ifndef __CUDA_ARCH__
+    __builtin_prefetch(p);
+#endif
 }
 /// *p += value, in the type it is stored in.
 template <class T, class Stored>

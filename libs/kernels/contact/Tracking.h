@@ -35,8 +35,8 @@ public:
             const std::size_t known = face < 0 ? 0 : std::size_t(face);
             const FaceCorners<Work> corners = pair.corners(Index(known), pair.contactor[i]);
             for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
-                prefetch<T>(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * known + k]));
-            prefetch<T>(pair.sums.values + 4 * std::size_t(pair.contactorNumber[i]));
+                prefetch(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * known + k]));
+            prefetch(pair.sums.values + 4 * std::size_t(pair.contactorNumber[i]));
             for (int k = 0; k < 4; ++k) {
                 corner[3 * k][lane] = corners.corner[k].x;
                 corner[3 * k + 1][lane] = corners.corner[k].y;

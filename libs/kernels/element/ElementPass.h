@@ -261,9 +261,9 @@ private:
         const Work* first = state + patch.state + inTiles(e, layout.size());
         // The same place of the next tile: no two loads are a fixed distance apart, which is what
         // a processor would foresee by itself.
-        if (point == 0)
+        if (NumberTraits<T>::lanes > 1 && point == 0)
             for (int k = 0; k < layout.size(); ++k)
-                prefetch<T>(first + (layout.size() + k) * tileWidth);
+                prefetch(first + (layout.size() + k) * tileWidth);
         const Sum* sums = plasticStrain + patch.strains + inTiles(e, layout.sums());
         to.stress = loadTensor<T>(first + layout.stress(point) * tileWidth);
         to.equivalentPlasticStrain =

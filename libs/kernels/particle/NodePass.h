@@ -75,8 +75,9 @@ struct NodePass {
         double* partial = values + nodeWorks * nodeBlock;
         const Index first = block * nodeBlock;
         const Index count = nodeCount - first < nodeBlock ? nodeCount - first : nodeBlock;
-        team.forEach(count,
-                     [&](Index i) { advance(list ? list[first + i] : first + i, values + i); });
+        if constexpr (Team::oneThread)
+            for (Index i = 0; i < count; ++i) askForForces(nodeOf(first + i));
+        team.forEach(count, [&](Index i) { advance(nodeOf(first + i), values + i); });
         if (!ledger) return;
         team.barrier();
         blockSums(team, nodeWorks, count, values, nodeBlock, partial);
@@ -84,6 +85,17 @@ struct NodePass {
         double* sums = blockWork + std::size_t(block) * nodeWorks;
         team.forEach(nodeWorks, [=](Index k) { sums[k] += blockSumResult(partial, k); });
         team.barrier();
+    }
+
+    FPM_KERNEL Index nodeOf(Index entry) const { return list ? list[entry] : entry; }
+    /// The forces on a node lie where patches and pairs left them, at no foreseeable distance.
+    FPM_KERNEL void askForForces(Index number) const
+    {
+        const std::size_t node = std::size_t(number);
+        for (Index k = partialSumsStart[node]; k < partialSumsStart[node + 1]; ++k)
+            prefetch(partialForce + 4 * std::size_t(partialSums[k]));
+        if (contactNode && contactNode[node] >= 0)
+            prefetch(contactForce + 4 * std::size_t(contactNode[node]));
     }
 
     /// xi of this step: the case's and that of dynamic relaxation.
