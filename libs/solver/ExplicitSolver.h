@@ -11,6 +11,7 @@
 #include "solver/DeviceState.h"
 #include "solver/Erosion.h"
 #include "solver/PenaltyData.h"
+#include "solver/SearchSchedule.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
 
@@ -60,6 +61,8 @@ private:
     void elementPass(std::size_t group);
     void contactPasses();
     void searchContact();
+    void searchOne(std::size_t pass);
+    void rememberPositions();
     void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
@@ -93,6 +96,7 @@ private:
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
     std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
+    SearchSchedule schedule_;                          ///< otherwise
     std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
     Energies lost_;              ///< booked for contactors that are none any more
 };
@@ -118,6 +122,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.fixedStep = model.control.fixedTimeStep;
     rules_.beyondBound = model.control.beyondBound;
     searchInterval_ = model.control.searchInterval;
+    schedule_ = SearchSchedule(data_);
     if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const PairData& pair : data_.pairs)
         if (pair.surface < 0) {

@@ -66,72 +66,71 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
     executor_.parallelBlocks(contactBlocks(), Limit::scratch(), limit);
 }
 
-/// Searches where the lists could not last for `steps` more steps, and returns how many they last
-/// for (at least one). They are valid while no two points can have come closer by more than the
-/// reach: twice the way made since the search and the way the coming steps can make (method of
-/// Verlet).
+/// Searches where lists could not last for `steps` more steps, and returns how many they last for
+/// (at least one).
 template <class Precision, class Executor>
 std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
                                                             std::int64_t steps)
 {
-    const auto search = [&] {
+    const auto timedSearch = [&](const auto& search) {
         const auto begin = std::chrono::steady_clock::now();
-        searchContact();
+        search();
         executor_.synchronize();
         times_.search += secondsSince(begin);
     };
     if (searchInterval_ > 0) {
         if (now.steps >= nextSearch_) {
-            search();
+            timedSearch([&] { searchContact(); });
             nextSearch_ = now.steps + searchInterval_;
         }
         return std::min(steps, nextSearch_ - now.steps);
     }
     if (searchesEveryStep_) {
-        search();
+        timedSearch([&] { searchContact(); });
         return 1;
     }
-    const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(
         contactBlocks(),
-        ContactTravel<Precision>{count, state_.contactNodes.data(), state_.position.data(),
-                                 state_.velocity.data(), std::size_t(data_.nodeCount),
-                                 state_.searchPosition.data(), state_.contactTravel.data()});
+        ContactTravel<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
+                                 state_.position.data(), state_.velocity.data(),
+                                 std::size_t(data_.nodeCount), state_.searchPosition.data(),
+                                 state_.contactTravel.data()});
     executor_.synchronize();
-    const std::vector<double> travel = state_.contactTravel.toHost();
-    double distance = 0, speed = 0;
-    for (std::size_t block = 0; block < travel.size() / 2; ++block) {
-        distance = std::max(distance, travel[2 * block]);
-        speed = std::max(speed, travel[2 * block + 1]);
-    }
-    double reach = 1e300;
-    for (const PairData& pair : data_.pairs)
-        if (pair.surface < 0) reach = std::min(reach, pair.reach);
-    // Half as fast again leaves room for acceleration within the batch.
-    const double way = 1.5 * std::sqrt(speed) * rules_.growth * now.step;
-    const auto lasting = [&](double done) {
-        const double left = reach / 2 - done;
-        return way * double(steps) <= left ? steps : std::int64_t(left / way);
-    };
-    const std::int64_t lastsFor = lasting(std::sqrt(distance));
-    if (lastsFor >= steps) return steps;
-    search();
-    return std::max<std::int64_t>(1, lasting(0));
+    const SearchSchedule::Plan plan =
+        schedule_.plan(state_.contactTravel.toHost(), rules_.growth * now.step, steps);
+    if (!plan.due.empty())
+        timedSearch([&] {
+            for (const std::size_t pass : plan.due) searchOne(pass);
+            rememberPositions();
+        });
+    return plan.steps;
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchContact()
+void ExplicitSolver<Precision, Executor>::searchOne(std::size_t pass)
 {
     ++times_.searches;
+    searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
+               data_.pairs[pass].search == ContactSearch::faces);
+}
+
+/// Searches in all passes.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::searchContact()
+{
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass)
-        if (data_.pairs[pass].surface < 0)
-            searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
-                       data_.pairs[pass].search == ContactSearch::faces);
-    executor_.parallelFor(
-        Index(state_.contactNodes.size()),
-        RememberPositions<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
-                                     state_.position.data(), std::size_t(data_.nodeCount),
-                                     state_.searchPosition.data()});
+        if (data_.pairs[pass].surface < 0) searchOne(pass);
+    rememberPositions();
+    schedule_.restart();
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::rememberPositions()
+{
+    const Index count = Index(state_.contactNodes.size());
+    executor_.parallelFor(count, RememberPositions<Precision>{
+                                     count, state_.contactNodes.data(), state_.position.data(),
+                                     std::size_t(data_.nodeCount), state_.searchPosition.data()});
 }
 
 /// Notes what lies inside before the run; it makes full force in passes that do not forgive it.

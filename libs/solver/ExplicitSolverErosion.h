@@ -43,6 +43,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
         state_.listedNodes = Array<Index, Executor>(data_.listedNodes);
     }
     executor_.forgetSteps();
+    schedule_ = SearchSchedule(data_);
     searchContact();
 }
 

@@ -71,7 +71,7 @@ struct BodyMotionValues {
 /// Seconds spent. On a GPU the parts are scaled up from a sample of the steps; 0 before the first.
 struct StepTimes {
     double total = 0, element = 0, contact = 0, node = 0, search = 0;
-    std::int64_t searches = 0;
+    std::int64_t searches = 0; ///< of single passes
 };
 
 /// State of chosen nodes: [value][node], values as in NodeSample.

@@ -100,17 +100,31 @@ FPM_KERNEL bool project(const FaceCorners<Work>& face, Work& xi, Work& eta)
     return projectWhere(true, face, xi, eta);
 }
 
+/// How near to the border of a face a point is on it: wider than rounding, no wider, or a contactor
+/// would be held to a face when the next one is nearer.
+template <class T>
+FPM_KERNEL T borderWidth()
+{
+    return T(sizeof(ScalarOf<T>) == 8 ? 1e-12 : 1e-5);
+}
+/// Square of a distance over that of a face's diagonal, below which its direction is rounding.
+template <class T>
+FPM_KERNEL T negligibleSquare()
+{
+    return T(sizeof(ScalarOf<T>) == 8 ? 1e-12 : 1e-8);
+}
+/// On the border or beyond it: on it.
 template <class T>
 FPM_KERNEL T clampedUnit(T value)
 {
-    const T one = T(1);
-    return select(value > one, one, select(value < -one, -one, value));
+    const T one = T(1), inner = one - borderWidth<T>();
+    return select(value > inner, one, select(value < -inner, -one, value));
 }
-/// Inside the face, its borders included: wider than rounding, far below what a gap can notice.
+/// Inside the face, its borders included.
 template <class T>
 FPM_KERNEL MaskOf<T> isInside(T xi, T eta)
 {
-    const T border = T(ScalarOf<T>(1) + ScalarOf<T>(sizeof(ScalarOf<T>) == 8 ? 1e-8 : 1e-4));
+    const T border = T(1) + borderWidth<T>();
     return (magnitude(xi) < border) & (magnitude(eta) < border);
 }
 
@@ -143,6 +157,26 @@ FPM_KERNEL Projection<T> gapAt(const FaceCorners<T>& face, T xi, T eta)
     evaluateFace(face, xi, eta, out.offset, t1, t2);
     out.normal = faceNormal(face, t1, t2);
     out.gap = dot(out.offset, out.normal);
+    return out;
+}
+
+/// The same at the closest point of the face. On the border, which faces have in common, the normal
+/// is the line to the contactor, the same for all of them: so a contactor on a plane of symmetry, as
+/// near to the faces on both sides of it, is pushed along that plane.
+template <class T>
+FPM_KERNEL Projection<T> gapAtClosest(const FaceCorners<T>& face, T xi, T eta)
+{
+    Projection<T> out = gapAt(face, xi, eta);
+    const T one = T(1), square = dot(out.offset, out.offset);
+    const Vec3<T> diagonal = face.corner[2] - face.corner[0];
+    const MaskOf<T> inner = (magnitude(xi) < one) & (magnitude(eta) < one),
+                    line = (square > negligibleSquare<T>() * dot(diagonal, diagonal)) & !inner;
+    if (!NumberTraits<T>::any(line)) return out;
+    const T distance = squareRoot(square), gap = select(out.gap < T(0), -distance, distance);
+    const Vec3<T> n = (one / gap) * out.offset;
+    out.normal = {select(line, n.x, out.normal.x), select(line, n.y, out.normal.y),
+                  select(line, n.z, out.normal.z)};
+    out.gap = select(line, gap, out.gap);
     return out;
 }
 

@@ -58,9 +58,9 @@ struct SignedGap {
     FPM_KERNEL Projection<Work>
     at(Index face, const FaceCorners<Work>& here, const FacePoint<Work>& point, bool& beyond) const
     {
-        Projection<Work> out = gapAt(here, point.xi, point.eta);
         beyond = false;
-        if (point.where == insideFace) return out;
+        if (point.where == insideFace) return gapAtClosest(here, point.xi, point.eta);
+        Projection<Work> out = gapAt(here, point.xi, point.eta);
         Vec3<Work> pseudo = out.normal;
         if (point.where < firstCorner)
             edge(face, here, point, out.offset, pseudo, beyond);
@@ -69,9 +69,8 @@ struct SignedGap {
         const Work weight = dot(pseudo, pseudo);
         if (!(weight > 0)) return out;
         const Work size = dot(here.corner[2] - here.corner[0], here.corner[2] - here.corner[0]);
-        const Work square = dot(out.offset, out.offset),
-                   little = Work(sizeof(Work) == 8 ? 1e-14 : 1e-8);
-        if (square > little * size) {
+        const Work square = dot(out.offset, out.offset);
+        if (square > negligibleSquare<Work>() * size) {
             const Work distance = squareRoot(square);
             out.gap = dot(out.offset, pseudo) < 0 ? -distance : distance;
             out.normal = (Work(1) / out.gap) * out.offset;

@@ -54,7 +54,7 @@ public:
             store(holds_, T(0));
             return;
         }
-        const Projection<T> at = gapAt(corners, clampedUnit(xi), clampedUnit(eta));
+        const Projection<T> at = gapAtClosest(corners, clampedUnit(xi), clampedUnit(eta));
         store(holds_, select(inside, T(1), T(0)));
         const T values[9] = {at.xi,       at.eta,      at.gap,      at.normal.x, at.normal.y,
                              at.normal.z, at.offset.x, at.offset.y, at.offset.z};

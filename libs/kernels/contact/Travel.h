@@ -6,8 +6,10 @@
 
 namespace fpm {
 
-/// How far the contact nodes have come since the last search, and how fast they are: largest square
-/// of a block of 256 nodes. One index = one block; exact and independent of the order.
+inline constexpr Index travelBlock = 256;
+
+/// How far the contact nodes have come since their positions were remembered, and how fast they
+/// are: largest square of a block of nodes. One index = one block; exact, in any order.
 template <class Precision>
 struct ContactTravel {
     Index count;
@@ -21,7 +23,8 @@ struct ContactTravel {
     FPM_KERNEL void operator()(Index block) const
     {
         double distance = 0, speed = 0;
-        const Index first = 256 * block, last = first + 256 < count ? first + 256 : count;
+        const Index first = travelBlock * block,
+                    last = first + travelBlock < count ? first + travelBlock : count;
         for (Index i = first; i < last; ++i) {
             double d2 = 0, v2 = 0;
             for (int c = 0; c < 3; ++c) {
