@@ -1,6 +1,7 @@
 #include "application/Application.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
+#include "solver/KernelReport.h"
 #include "solver/TimeLoop.h"
 
 #include <limits>
@@ -47,6 +48,7 @@ int main(int argc, char** argv)
         applyOptions(run, model.control);
         const auto solver = fpm::makeSolver(model);
         run.log.line("running on " + solver->description());
+        for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
         solver->start();
         if (run.has("dryRun")) return fpm::reportDryRun(*solver, model, run.log);
         const auto steps = run.integer("maxSteps", 0, std::numeric_limits<std::int64_t>::max());

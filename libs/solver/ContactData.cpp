@@ -107,6 +107,26 @@ bool differ(const std::vector<double>& stiffness)
     return *most > (1 + 1e-9) * *least;
 }
 
+/// On a plane of symmetry a surface does not end: its other half goes on there.
+void continueAtMirrors(PairData& pair, const Model& model)
+{
+    for (const BoundaryCondition& condition : model.boundaryConditions) {
+        if (!condition.mirror) continue;
+        std::vector<bool> onPlane(model.mesh.points.size());
+        for (const Index node : condition.nodes) onPlane[std::size_t(node)] = true;
+        for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
+            const std::size_t first = edge / 4 * 4;
+            const auto lies = [&](std::size_t corner) {
+                return onPlane[std::size_t(pair.faceNode[first + corner % 4])];
+            };
+            // A face that lies in the plane as a whole has no edge that is its border.
+            if (pair.neighbour[edge] == freeEdge && lies(edge) && lies(edge + 1)
+                && !(lies(edge + 2) && lies(edge + 3)))
+                pair.neighbour[edge] = noEdge;
+        }
+    }
+}
+
 /// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
 PairData makePass(const SolverData& data,
                   const Model& model,
@@ -141,6 +161,7 @@ PairData makePass(const SolverData& data,
     }
     out.meanFaceSize = std::sqrt(areas / double(target.size()));
     addTopology(out, model.mesh.points);
+    continueAtMirrors(out, model);
     if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
     addComponents(out, model, pair, own, target);
     addPenalty(out, data, model, pair, own, target, share);

@@ -13,8 +13,8 @@ inline constexpr Index noFace = -1; ///< no target within reach
 /// Let go, counted: it went deeper than the target is thick, or left it sideways while inside.
 inline constexpr Index releasedFace = -2;
 
-/// What `neighbour` of a face's edge may say beyond 4 * face + edge: the surface ends here; the
-/// edge has no length.
+/// What `neighbour` of a face's edge may say beyond 4 * face + edge: the surface ends here; it does
+/// not, but there is no face: the edge has no length, or lies on a plane of symmetry.
 inline constexpr Index freeEdge = -1;
 inline constexpr Index noEdge = -2;
 
