@@ -93,7 +93,10 @@ public:
 
     void synchronize() const {}
     /// One index after the other: nothing has to be locked.
-    bool alone() const { return threads_ == 1; }
+    bool alone() const
+    {
+        return threads_ == 1;
+    }
 
     /// step() `count` times.
     template <class Step>

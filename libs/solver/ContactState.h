@@ -202,21 +202,26 @@ struct PairState {
     }
 };
 
-/// Enters the target of a pass into its cells and finds the face of every contactor.
+/// Enters the target of a pass into its cells and finds the face of every contactor, or of those in
+/// some blocks.
 template <class Precision, class Executor>
 void searchPass(Executor& executor,
                 const PairView<Precision>& view,
                 const CellLists& cells,
-                bool faces)
+                bool faces,
+                const NodeBlocks& blocks)
 {
+    const Index count = blocks.nodes(view.nodeCount);
     executor.parallelFor(Index(cells.mask) + 1, Fill<Index>{cells.head, Index(-1)});
-    executor.parallelFor(view.nodeCount, ContactorNormal<Precision>{view});
+    executor.parallelFor(count, InBlocks{blocks, view.nodeCount, ContactorNormal<Precision>{view}});
     if (faces) {
         executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
-        executor.parallelFor(view.nodeCount, FindFace<Precision>{view, cells});
+        executor.parallelFor(count,
+                             InBlocks{blocks, view.nodeCount, FindFace<Precision>{view, cells}});
     } else {
         executor.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
-        executor.parallelFor(view.nodeCount, FindClosestParticle<Precision>{view, cells});
+        executor.parallelFor(
+            count, InBlocks{blocks, view.nodeCount, FindClosestParticle<Precision>{view, cells}});
     }
 }
 

@@ -61,8 +61,8 @@ private:
     void elementPass(std::size_t group);
     void contactPasses();
     void searchContact();
-    void searchOne(std::size_t pass);
-    void rememberPositions();
+    void searchOne(const SearchSchedule::Due& due);
+    void rememberPositions(const std::vector<SearchSchedule::Due>& searched);
     void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
     void loadPasses();
@@ -97,6 +97,7 @@ private:
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
     std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
     SearchSchedule schedule_;                          ///< otherwise
+    Array<Index, Executor> searchBlocks_;
     std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
     Energies lost_;              ///< booked for contactors that are none any more
 };

@@ -100,37 +100,49 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         schedule_.plan(state_.contactTravel.toHost(), rules_.growth * now.step, steps);
     if (!plan.due.empty())
         timedSearch([&] {
-            for (const std::size_t pass : plan.due) searchOne(pass);
-            rememberPositions();
+            for (const SearchSchedule::Due& due : plan.due) searchOne(due);
+            rememberPositions(plan.due);
         });
     return plan.steps;
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchOne(std::size_t pass)
+void ExplicitSolver<Precision, Executor>::searchOne(const SearchSchedule::Due& due)
 {
     ++times_.searches;
-    searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
-               data_.pairs[pass].search == ContactSearch::faces);
+    searchBlocks_ = Array<Index, Executor>(due.blocks);
+    searchPass(executor_, pairView(due.pass), state_.pairs[due.pass].cells(data_.pairs[due.pass]),
+               data_.pairs[due.pass].search == ContactSearch::faces,
+               {searchBlocks_.data(), Index(due.blocks.size())});
 }
 
 /// Searches in all passes.
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchContact()
 {
+    std::vector<SearchSchedule::Due> all;
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass)
-        if (data_.pairs[pass].surface < 0) searchOne(pass);
-    rememberPositions();
-    schedule_.restart();
+        if (data_.pairs[pass].surface < 0) all.push_back({pass, {}});
+    for (const SearchSchedule::Due& due : all) searchOne(due);
+    rememberPositions(all);
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::rememberPositions()
+void ExplicitSolver<Precision, Executor>::rememberPositions(
+    const std::vector<SearchSchedule::Due>& searched)
 {
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(count, RememberPositions<Precision>{
                                      count, state_.contactNodes.data(), state_.position.data(),
                                      std::size_t(data_.nodeCount), state_.searchPosition.data()});
+    if (searchInterval_ > 0 || searchesEveryStep_) return;
+    executor_.synchronize();
+    std::vector<double> positions; // fetched where a pass was searched as a whole, which is rare
+    for (const SearchSchedule::Due& due : searched) {
+        if (!due.blocks.empty()) continue;
+        if (positions.empty()) positions = state_.searchPosition.toHost();
+        schedule_.arrange(due.pass, positions);
+    }
 }
 
 /// Notes what lies inside before the run; it makes full force in passes that do not forgive it.

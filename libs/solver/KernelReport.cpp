@@ -26,7 +26,7 @@ std::string elementKernel(const KernelGroup& group)
 {
     if (group.hexahedron == HexahedronForm::selective)
         return "eight points, options chosen at run time";
-    const std::string material = group.general                            ? "options chosen at run time"
+    const std::string material = group.general ? "options chosen at run time"
                                  : group.kind == PartKind::elastoplastic ? "J2 plasticity"
                                                                          : "elastic";
     return "one point, " + material + ", hourglass " + hourglassWord(group.hourglass);

@@ -4,71 +4,150 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fpm {
 
 namespace {
 
-std::vector<Index> blocksOf(const std::vector<Index>& numbers)
+/// How far from a block of contactors target nodes count as near it, in reaches: as long as nothing
+/// has come so far, nothing else can touch them.
+constexpr double nearness = 16;
+
+std::vector<Index> sortedOnce(std::vector<Index> values)
 {
-    std::vector<Index> blocks;
-    for (const Index number : numbers) blocks.push_back(number / travelBlock);
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    return blocks;
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
 }
 
-/// Root of the largest value [block][which].
-double largest(const SearchSchedule::Travel& travel, const std::vector<Index>& blocks, int which)
+/// Blocks of contact nodes that some of them lie in.
+std::vector<Index> blocksOf(std::vector<Index> numbers)
 {
-    double square = 0;
-    for (const Index block : blocks)
-        square = std::max(square, travel[2 * std::size_t(block) + std::size_t(which)]);
-    return std::sqrt(square);
+    for (Index& number : numbers) number /= travelBlock;
+    return sortedOnce(std::move(numbers));
+}
+
+/// Largest way (0) or speed (1) in some blocks of one side plus that in some of the other.
+double both(const SearchSchedule::Travel& travel,
+            const std::vector<Index>& one,
+            const std::vector<Index>& other,
+            std::size_t which)
+{
+    const auto largest = [&](const std::vector<Index>& blocks) {
+        double square = 0;
+        for (const Index block : blocks)
+            square = std::max(square, travel[2 * std::size_t(block) + which]);
+        return std::sqrt(square);
+    };
+    return largest(one) + largest(other);
+}
+
+struct Box {
+    Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+
+    void add(const SearchSchedule::Positions& positions, Index number)
+    {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double x = positions[c * (positions.size() / 3) + std::size_t(number)];
+            low[c] = std::min(low[c], x);
+            high[c] = std::max(high[c], x);
+        }
+    }
+    bool isWithin(double distance, const Box& other) const
+    {
+        for (std::size_t c = 0; c < 3; ++c)
+            if (low[c] > other.high[c] + distance || other.low[c] > high[c] + distance)
+                return false;
+        return true;
+    }
+};
+
+/// How many of `most` steps a way leaves within a limit.
+std::int64_t lasting(double way, double each, double limit, std::int64_t most)
+{
+    const double left = limit - way;
+    return each * double(most) <= left ? most : std::int64_t(left / each);
 }
 
 } // namespace
 
 SearchSchedule::SearchSchedule(const SolverData& data)
 {
-    for (std::size_t pass = 0; pass < data.pairs.size(); ++pass) {
-        const PairData& pair = data.pairs[pass];
-        if (pair.surface < 0)
-            passes_.push_back(
-                {pass, pair.reach, blocksOf(pair.contactorNumber), blocksOf(pair.faceNumber)});
+    for (std::size_t number = 0; number < data.pairs.size(); ++number) {
+        const PairData& pair = data.pairs[number];
+        if (pair.surface >= 0) continue;
+        Pass pass{number, pair.reach, {}, sortedOnce(pair.faceNumber), {}, {}, {}};
+        pass.contactor.assign(pair.contactorNumber.begin(),
+                              pair.contactorNumber.begin() + pair.nodeCount);
+        pass.own = blocksOf(pass.contactor);
+        pass.all = blocksOf(pass.target);
+        passes_.push_back(std::move(pass));
+    }
+}
+
+void SearchSchedule::arrange(std::size_t number, const Positions& positions)
+{
+    for (Pass& pass : passes_) {
+        if (pass.number != number) continue;
+        std::map<Index, Box> targets; // by blocks of contact nodes
+        for (const Index node : pass.target) targets[node / travelBlock].add(positions, node);
+        pass.way = 0;
+        pass.blocks.clear();
+        for (std::size_t first = 0; first < pass.contactor.size(); first += blockSize) {
+            const auto begin = pass.contactor.begin() + std::ptrdiff_t(first),
+                       end = begin
+                             + std::min<std::ptrdiff_t>(blockSize, pass.contactor.end() - begin);
+            Box box;
+            for (auto node = begin; node != end; ++node) box.add(positions, *node);
+            Block out{blocksOf({begin, end}), {}};
+            for (const auto& [where, target] : targets)
+                if (target.isWithin(nearness * pass.reach, box)) out.near.push_back(where);
+            pass.blocks.push_back(std::move(out));
+        }
     }
 }
 
 SearchSchedule::Plan SearchSchedule::plan(const Travel& travel, double timeStep, std::int64_t steps)
 {
     Plan out{{}, steps};
-    std::vector<double> way;
-    std::vector<bool> due;
+    // Half as fast again leaves room for acceleration within the batch.
+    const double time = 1.5 * timeStep;
     for (const Pass& pass : passes_) {
-        const auto both = [&](int which) {
-            return largest(travel, pass.contactorBlocks, which)
-                   + largest(travel, pass.targetBlocks, which);
-        };
-        // Half as fast again leaves room for acceleration within the batch.
-        const double each = 1.5 * both(1) * timeStep;
-        const auto lasting = [&](double done) {
-            const double left = pass.reach - done;
-            return each * double(steps) <= left ? steps : std::int64_t(left / each);
-        };
-        way.push_back(pass.way + both(0));
-        due.push_back(lasting(way.back()) < steps);
-        if (!due.back()) continue;
-        out.due.push_back(pass.number);
-        out.steps = std::min(out.steps, std::max<std::int64_t>(1, lasting(0)));
+        Due due{pass.number, {}};
+        const double each = both(travel, pass.own, pass.all, 1) * time;
+        if (lasting(pass.way + both(travel, pass.own, pass.all, 0), each,
+                    (nearness - 1) * pass.reach, steps)
+            < steps) {
+            out.steps = std::min(out.steps, lasting(0, each, pass.reach, steps));
+            out.due.push_back(due);
+            continue;
+        }
+        for (std::size_t number = 0; number < pass.blocks.size(); ++number) {
+            const Block& block = pass.blocks[number];
+            const double step = both(travel, block.own, block.near, 1) * time,
+                         way = block.way + both(travel, block.own, block.near, 0);
+            if (lasting(way, step, pass.reach, steps) == steps) continue;
+            out.steps = std::min(out.steps, lasting(0, step, pass.reach, steps));
+            due.blocks.push_back(Index(number));
+        }
+        if (!due.blocks.empty()) out.due.push_back(due);
     }
-    if (!out.due.empty())
-        for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k].way = due[k] ? 0 : way[k];
+    out.steps = std::max<std::int64_t>(1, out.steps);
+    if (!out.due.empty()) remember(travel, out.due);
     return out;
 }
 
-void SearchSchedule::restart()
+/// The positions are remembered anew: what is not searched keeps its way up to now.
+void SearchSchedule::remember(const Travel& travel, const std::vector<Due>& due)
 {
-    for (Pass& pass : passes_) pass.way = 0;
+    for (Pass& pass : passes_) {
+        pass.way += both(travel, pass.own, pass.all, 0);
+        for (Block& block : pass.blocks) block.way += both(travel, block.own, block.near, 0);
+        for (const Due& d : due)
+            if (d.pass == pass.number)
+                for (const Index number : d.blocks) pass.blocks[std::size_t(number)].way = 0;
+    }
 }
 
 } // namespace fpm

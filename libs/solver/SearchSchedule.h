@@ -1,41 +1,59 @@
 #pragma once
 
+#include "kernels/contact/Search.h"
 #include "solver/SolverData.h"
 
 namespace fpm {
 
-/// When passes of contact pairs have to search again. Their lists are valid while no contactor and
-/// no face of theirs can have come closer by more than the reach: by the largest way of the
-/// contactors plus that of the target since the last search and in the coming steps (method of
-/// Verlet). Each pass has ways of its own: what is far from an impact need not search for its sake.
+/// When contactors have to search again. What a search found is valid while no contactor and no
+/// face can have come closer by more than the reach: by the largest way of the one plus that of the
+/// other since the search and in the coming steps (method of Verlet). Judged for every block of
+/// contactor nodes, with those target nodes that were near it when the pass was searched as a
+/// whole: what is far from an impact does not search for its sake.
 class SearchSchedule
 {
 public:
-    /// What ContactTravel found, [block][2]: squares of the way since the positions were
-    /// remembered, and of the speed.
-    using Travel = std::vector<double>;
+    /// Contactor nodes of a pass that search together.
+    static constexpr Index blockSize = NodeBlocks::size;
 
+    /// What ContactTravel found, [block of contact nodes][2]: squares of the way since the
+    /// positions were remembered, and of the speed.
+    using Travel = std::vector<double>;
+    /// Remembered positions of the contact nodes, in three planes.
+    using Positions = std::vector<double>;
+
+    struct Due {
+        std::size_t pass;
+        std::vector<Index> blocks; ///< empty: all of them, and `arrange` is asked for
+    };
     struct Plan {
-        std::vector<std::size_t> due; ///< passes to be searched now
-        std::int64_t steps;           ///< that may follow; at least one
+        std::vector<Due> due; ///< to be searched now; then the positions are to be remembered
+        std::int64_t steps;   ///< that may follow; at least one
     };
 
     SearchSchedule() = default;
     explicit SearchSchedule(const SolverData& data);
 
-    /// Plans `steps` steps of `timeStep` at most; what is due counts as searched from now on. With
-    /// anything due, the positions are to be remembered.
+    /// Plans `steps` steps of `timeStep` at most; what is due counts as searched from now on.
     Plan plan(const Travel& travel, double timeStep, std::int64_t steps);
-    /// All passes have searched, the positions are remembered.
-    void restart();
+    /// The pass was searched as a whole at these positions.
+    void arrange(std::size_t pass, const Positions& positions);
 
 private:
+    struct Block {
+        std::vector<Index> own, near; ///< blocks of contact nodes: its own, the target's near it
+        double way = 0;               ///< between its last search and the remembered positions
+    };
     struct Pass {
         std::size_t number;
         double reach;
-        std::vector<Index> contactorBlocks, targetBlocks;
-        double way = 0; ///< between its last search and the remembered positions
+        std::vector<Index> contactor, target; ///< contact nodes
+        std::vector<Index> own, all;          ///< blocks of contact nodes of either side
+        std::vector<Block> blocks;
+        double way = 0; ///< of all, since it was arranged
     };
+    void remember(const Travel& travel, const std::vector<Due>& due);
+
     std::vector<Pass> passes_;
 };
 

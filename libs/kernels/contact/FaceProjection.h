@@ -30,12 +30,8 @@ FPM_KERNEL void shapeFunctions(T xi, T eta, T (&n)[4])
 
 /// Position and tangents of the bilinear face at (xi, eta); `offset` is contactor minus point.
 template <class T>
-FPM_KERNEL void evaluateFace(const FaceCorners<T>& face,
-                             T xi,
-                             T eta,
-                             Vec3<T>& offset,
-                             Vec3<T>& t1,
-                             Vec3<T>& t2)
+FPM_KERNEL void
+evaluateFace(const FaceCorners<T>& face, T xi, T eta, Vec3<T>& offset, Vec3<T>& t1, Vec3<T>& t2)
 {
     T n[4];
     shapeFunctions(xi, eta, n);
@@ -57,8 +53,7 @@ FPM_KERNEL MaskOf<T> projectionStep(const FaceCorners<T>& face, T& xi, T& eta, T
     evaluateFace(face, xi, eta, r, t1, t2);
     const Vec3<T>* x = face.corner;
     const Vec3<T> twist = T(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));
-    const T a = dot(t1, t1), c = dot(t2, t2), plain = dot(t1, t2), bend = dot(r, twist),
-            one = T(1);
+    const T a = dot(t1, t1), c = dot(t2, t2), plain = dot(t1, t2), bend = dot(r, twist), one = T(1);
     T b = plain - bend;
     T determinant = a * c - b * b;
     const MaskOf<T> definite = determinant > T(1e-3) * a * c;
@@ -137,8 +132,7 @@ FPM_KERNEL Vec3<T> faceNormal(const FaceCorners<T>& face, const Vec3<T>& t1, con
     T square = dot(n, n);
     const MaskOf<T> flat = !(square > T(1e-8) * dot(t1, t1) * dot(t2, t2));
     if (NumberTraits<T>::any(flat)) {
-        const Vec3<T> d =
-            cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]);
+        const Vec3<T> d = cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]);
         n = {select(flat, d.x, n.x), select(flat, d.y, n.y), select(flat, d.z, n.z)};
         square = dot(n, n);
     }
@@ -161,8 +155,8 @@ FPM_KERNEL Projection<T> gapAt(const FaceCorners<T>& face, T xi, T eta)
 }
 
 /// The same at the closest point of the face. On the border, which faces have in common, the normal
-/// is the line to the contactor, the same for all of them: so a contactor on a plane of symmetry, as
-/// near to the faces on both sides of it, is pushed along that plane.
+/// is the line to the contactor, the same for all of them: so a contactor on a plane of symmetry,
+/// as near to the faces on both sides of it, is pushed along that plane.
 template <class T>
 FPM_KERNEL Projection<T> gapAtClosest(const FaceCorners<T>& face, T xi, T eta)
 {

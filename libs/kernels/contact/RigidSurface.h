@@ -144,10 +144,8 @@ private:
     {
         if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0)
             sums.addForce(contactorNumber[i], fixed);
-        for (int c = 0; c < 3; ++c)
-            force[c * contactorCount + i] = sums.scale.toForce(fixed[c]);
-        if (near)
-            sums.addStiffness(contactorNumber[i], double(Work(2) * law.limitFactor * k));
+        for (int c = 0; c < 3; ++c) force[c * contactorCount + i] = sums.scale.toForce(fixed[c]);
+        if (near) sums.addStiffness(contactorNumber[i], double(Work(2) * law.limitFactor * k));
     }
     FPM_KERNEL static Vec3<Work> toWork(const Vec3<double>& v)
     {

@@ -32,6 +32,32 @@ struct ContactorNormal {
     }
 };
 
+/// Nodes of a pass that search: those of some blocks, or all.
+struct NodeBlocks {
+    static constexpr Index size = 256;
+    const Index* list; ///< numbers of blocks
+    Index count;       ///< 0: all there are
+
+    FPM_KERNEL Index nodes(Index all) const { return count > 0 ? size * count : all; }
+    FPM_KERNEL Index node(Index i) const
+    {
+        return count > 0 ? size * list[i / size] + i % size : i;
+    }
+};
+
+/// A kernel over nodes, for those in blocks only.
+template <class Kernel>
+struct InBlocks {
+    NodeBlocks blocks;
+    Index nodeCount;
+    Kernel kernel;
+    FPM_KERNEL void operator()(Index i) const
+    {
+        const Index node = blocks.node(i);
+        if (node < nodeCount) kernel(node);
+    }
+};
+
 /// What a search found, entered into the slots of one node.
 template <class Precision>
 struct SlotChoice {

@@ -13,8 +13,9 @@ struct Tracked {
     bool beyond; ///< it left the surface over a free edge
 };
 
-/// Contactors from `first` on, one in each lane of T, projected from where they were: those in reach
-/// of flat surface only that lie over the face they had are tracked by that alone, as most are.
+/// Contactors from `first` on, one in each lane of T, projected from where they were: those in
+/// reach of flat surface only that lie over the face they had are tracked by that alone, as most
+/// are.
 template <class Precision, class T>
 class SteadyContactors
 {
@@ -68,8 +69,11 @@ public:
         return {face,
                 value(0),
                 value(1),
-                {value(0), value(1), {value(3), value(4), value(5)},
-                 {value(6), value(7), value(8)}, value(2)},
+                {value(0),
+                 value(1),
+                 {value(3), value(4), value(5)},
+                 {value(6), value(7), value(8)},
+                 value(2)},
                 false};
     }
 

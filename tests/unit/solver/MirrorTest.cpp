@@ -33,8 +33,8 @@ Model strike(bool half, int passes)
     return model;
 }
 
-/// Not to rounding: in the whole model a node of the plane inside a ridge is as near to the faces on
-/// both sides, and rests on one.
+/// Not to rounding: in the whole model a node of the plane inside a ridge is as near to the faces
+/// on both sides, and rests on one.
 TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
 {
     for (const int passes : {1, 2}) {

@@ -4,24 +4,42 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace fpm {
 namespace {
 
-/// Four bodies of one block of contact nodes each, 0 on 1 and 2 on 3.
-SolverData twoPairs(double reach)
+/// Four surfaces of `blocks` blocks of contact nodes each; 0 on 1, and 2 on 3.
+SolverData twoPairs(double reach, Index blocks)
 {
     SolverData data;
     data.pairs.resize(2);
+    const Index size = blocks * travelBlock;
     for (Index pair = 0; pair < 2; ++pair) {
         PairData& p = data.pairs[std::size_t(pair)];
         p.reach = reach;
-        p.contactorNumber = {2 * pair * travelBlock, 2 * pair * travelBlock + 7};
-        p.faceNumber = {(2 * pair + 1) * travelBlock + 3};
+        p.nodeCount = size;
+        for (Index i = 0; i < size; ++i) {
+            p.contactorNumber.push_back(2 * pair * size + i);
+            p.faceNumber.push_back((2 * pair + 1) * size + i);
+        }
     }
     return data;
 }
 
-/// Ways and speeds of the four blocks.
+/// Block k of each surface lies at x = k * spacing.
+SearchSchedule arranged(double reach, Index blocks, double spacing)
+{
+    SearchSchedule schedule(twoPairs(reach, blocks));
+    const std::size_t count = std::size_t(4 * blocks * travelBlock);
+    SearchSchedule::Positions positions(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        positions[i] = spacing * double(Index(i) / travelBlock % blocks);
+    for (const std::size_t pass : {0U, 1U}) schedule.arrange(pass, positions);
+    return schedule;
+}
+
+/// Ways and speeds of the blocks of contact nodes.
 SearchSchedule::Travel travelOf(const std::vector<double>& ways, const std::vector<double>& speeds)
 {
     SearchSchedule::Travel out;
@@ -32,39 +50,74 @@ SearchSchedule::Travel travelOf(const std::vector<double>& ways, const std::vect
     return out;
 }
 
-using Due = std::vector<std::size_t>;
+/// "0: all", "1: 0 2" for the passes that are due and their blocks.
+std::string due(const SearchSchedule::Plan& plan)
+{
+    std::ostringstream text;
+    for (const SearchSchedule::Due& d : plan.due) {
+        text << (text.tellp() > 0 ? ", " : "") << d.pass << ":";
+        if (d.blocks.empty()) text << " all";
+        for (const Index block : d.blocks) text << " " << block;
+    }
+    return text.str();
+}
+
+const std::vector<double> still(4, 0.0);
 
 TEST(SearchSchedule, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
 {
-    SearchSchedule schedule(twoPairs(1));
-    EXPECT_EQ(schedule.plan(travelOf({0.5, 0.49, 0, 0}, {0, 0, 0, 0}), 1, 10).due, Due{});
-    const SearchSchedule::Plan plan =
-        schedule.plan(travelOf({0.5, 0.51, 0, 0}, {0, 0, 0, 0}), 1, 10);
-    EXPECT_EQ(plan.due, Due{0});
+    SearchSchedule schedule = arranged(1, 1, 0);
+    EXPECT_EQ(due(schedule.plan(travelOf({0.5, 0.49, 0, 0}, still), 1, 10)), "");
+    const SearchSchedule::Plan plan = schedule.plan(travelOf({0.5, 0.51, 0, 0}, still), 1, 10);
+    EXPECT_EQ(due(plan), "0: 0");
     EXPECT_EQ(plan.steps, 10);
 }
 
 TEST(SearchSchedule, AWayBeforeTheSearchOfAnotherPairIsNotForgotten)
 {
-    SearchSchedule schedule(twoPairs(1));
-    const std::vector<double> still(4, 0.0);
-    EXPECT_EQ(schedule.plan(travelOf({2, 0, 0.6, 0}, still), 1, 10).due, Due{0});
+    SearchSchedule schedule = arranged(1, 1, 0);
+    EXPECT_EQ(due(schedule.plan(travelOf({2, 0, 0.6, 0}, still), 1, 10)), "0: 0");
     // Positions were remembered then: another 0.5 is 1.1 for the second pair, 0.5 for the first.
-    EXPECT_EQ(schedule.plan(travelOf({0.5, 0, 0.5, 0}, still), 1, 10).due, Due{1});
-    schedule.restart();
-    EXPECT_EQ(schedule.plan(travelOf({0.5, 0, 0.5, 0}, still), 1, 10).due, Due{});
+    EXPECT_EQ(due(schedule.plan(travelOf({0.5, 0, 0.5, 0}, still), 1, 10)), "1: 0");
+    EXPECT_EQ(due(schedule.plan(travelOf({0.4, 0, 0.9, 0}, still), 1, 10)), "");
 }
 
 TEST(SearchSchedule, TheComingStepsCountHalfAsFastAgain)
 {
-    SearchSchedule schedule(twoPairs(1));
-    const std::vector<double> none(4, 0.0);
+    SearchSchedule schedule = arranged(1, 1, 0);
     // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, eleven and a bit the reach.
-    EXPECT_EQ(schedule.plan(travelOf(none, {0.03, 0.03, 0, 0}), 1, 10).due, Due{});
-    EXPECT_EQ(schedule.plan(travelOf({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), 1, 10).due, Due{0});
+    EXPECT_EQ(due(schedule.plan(travelOf(still, {0.03, 0.03, 0, 0}), 1, 10)), "");
+    EXPECT_EQ(due(schedule.plan(travelOf({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), 1, 10)), "0: 0");
     // Faster than ten steps can bear even from a fresh search: fewer, but one at least.
-    EXPECT_EQ(schedule.plan(travelOf(none, {0.1, 0.1, 0, 0}), 1, 10).steps, 3);
-    EXPECT_EQ(schedule.plan(travelOf(none, {100, 0, 0, 0}), 1, 10).steps, 1);
+    EXPECT_EQ(schedule.plan(travelOf(still, {0.1, 0.1, 0, 0}), 1, 10).steps, 3);
+    EXPECT_EQ(schedule.plan(travelOf(still, {100, 0, 0, 0}), 1, 10).steps, 1);
+}
+
+TEST(SearchSchedule, WhatIsFarFromTheMotionDoesNotSearch)
+{
+    // Three blocks a surface, 100 reaches apart; ways in the order of the surfaces.
+    SearchSchedule schedule = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> ways(12, 0.0);
+    ways[4] = 1.5; // the middle of the first pair's target
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 1");
+    ways[4] = 0;
+    ways[0] = 0.9; // of the first contactors; the middle ones were searched meanwhile
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "");
+    ways[0] = 1.1;
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 0");
+}
+
+TEST(SearchSchedule, WhereSomethingCameFromAfarAllSearchAgain)
+{
+    SearchSchedule schedule = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> ways(12, 0.0);
+    ways[4] = 7;
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 1");
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 1");
+    // 7 + 7 + 7 is more than the 15 reaches that were near when all searched.
+    EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: all");
 }
 
 } // namespace

@@ -52,7 +52,8 @@ public:
     void search()
     {
         CpuExecutor<64> executor(1, 0);
-        searchPass(executor, view(), state_->cells(data_), search_ == ContactSearch::faces);
+        searchPass(executor, view(), state_->cells(data_), search_ == ContactSearch::faces,
+                   {nullptr, 0});
     }
 
     /// The tracker at the present positions.
