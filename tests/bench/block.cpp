@@ -3,7 +3,8 @@
 // that what disturbs the machine disturbs all of them. One line of JSON a variant.
 //
 //   bench_block <n> <steps> <repeats> <variant> ...
-//   variant: backend,threads,simd,precision,form
+//   variant: backend,threads,simd,precision,form[,random]
+//   random: nodes and elements of the input in random order, before they are renumbered
 //   form: elastic stiffness physical viscous selective (all but the first elastoplastic)
 
 #include "base/Error.h"
@@ -11,9 +12,11 @@
 #include "solver/StepBytes.h"
 #include "support/solverModel.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
+#include <map>
+#include <numeric>
 #include <random>
 #include <sstream>
 
@@ -24,14 +27,14 @@ namespace {
 constexpr int warmUp = 3; ///< steps before the clock counts
 
 struct Variant {
-    std::string text, backend, simd, precision, form;
+    std::string text, backend, simd, precision, form, order;
     int threads = 0;
 
     explicit Variant(const std::string& given) : text(given)
     {
         std::istringstream words(given);
         std::string count;
-        for (std::string* word : {&backend, &count, &simd, &precision, &form})
+        for (std::string* word : {&backend, &count, &simd, &precision, &form, &order})
             std::getline(words, *word, ',');
         threads = std::atoi(count.c_str());
     }
@@ -66,10 +69,29 @@ struct Running {
     std::vector<double> seconds;
 };
 
-Model block(Index n)
+/// Nodes and elements in random order.
+void shuffle(Mesh& mesh)
 {
-    Model model = test::boxModel({n, n, n}, {double(n), double(n), double(n)},
-                                 test::aluminium(PartKind::elastic, HourglassForm::stiffness));
+    std::mt19937 random(2);
+    std::shuffle(mesh.hexahedra.begin(), mesh.hexahedra.end(), random);
+    std::vector<Index> number(mesh.points.size());
+    std::iota(number.begin(), number.end(), 0);
+    std::shuffle(number.begin(), number.end(), random);
+    std::vector<Point> points(number.size());
+    for (std::size_t i = 0; i < number.size(); ++i) points[std::size_t(number[i])] = mesh.points[i];
+    mesh.points = points;
+    for (auto& corners : mesh.hexahedra)
+        for (Index& node : corners) node = number[std::size_t(node)];
+}
+
+Model block(Index n, bool inRandomOrder)
+{
+    Model model;
+    model.mesh = test::boxMesh({n, n, n}, {double(n), double(n), double(n)});
+    if (inRandomOrder) shuffle(model.mesh);
+    renumber(model.mesh);
+    model.parts = {test::aluminium(PartKind::elastic, HourglassForm::stiffness)};
+    model.control.endTime = 1;
     std::mt19937 random(1);
     std::uniform_real_distribution<double> speed(-2e4, 2e4);
     for (Index node = 0; node < Index(model.mesh.points.size()); ++node)
@@ -88,20 +110,26 @@ void print(const Running& run, std::size_t elements, int steps)
     for (std::size_t i = 0; i < run.seconds.size(); ++i)
         std::printf("%s%.9g", i > 0 ? ", " : "", run.seconds[i]);
     std::printf("], \"elementShare\": %.4g, \"nodeShare\": %.4g, \"bytesPerElementStep\": %.4g, "
+                "\"deviceBytes\": %zu, "
                 "\"plasticWork\": %.4g, \"checksum\": \"%016llx\"}\n",
                 (t.element - before.element) / total, (t.node - before.node) / total,
                 double(bytesOfStep(run.solver->data(), run.precision)) / double(elements),
-                run.solver->energies().plastic,
+                run.solver->deviceBytes(), run.solver->energies().plastic,
                 static_cast<unsigned long long>(run.solver->stateChecksum()));
 }
 
 int measure(int argc, char** argv)
 {
     const int steps = std::atoi(argv[2]), repeats = std::atoi(argv[3]);
-    Model model = block(Index(std::atoi(argv[1])));
+    std::map<bool, Model> models; // by whether their input was in random order
     std::vector<Running> runs;
+    std::size_t elements = 0;
     for (int i = 4; i < argc; ++i) {
         const Variant variant(argv[i]);
+        const bool random = variant.order == "random";
+        if (!models.contains(random)) models[random] = block(Index(std::atoi(argv[1])), random);
+        Model& model = models[random];
+        elements = model.mesh.hexahedra.size();
         model.parts[0] = variant.part();
         variant.applyTo(model.control);
         try {
@@ -123,7 +151,7 @@ int measure(int argc, char** argv)
             run.seconds.push_back(run.solver->times().total - before);
         }
     for (const Running& run : runs) {
-        print(run, model.mesh.hexahedra.size(), steps);
+        print(run, elements, steps);
         if (run.solver->clock().failed)
             throw Error(ExitCode::numericalStop, run.variant.text + " did not stay stable");
     }
@@ -136,7 +164,7 @@ int main(int argc, char** argv)
 {
     if (argc < 5) {
         std::fprintf(stderr, "usage: bench_block <n> <steps> <repeats> "
-                             "<backend,threads,simd,precision,form> ...\n");
+                             "<backend,threads,simd,precision,form[,random]> ...\n");
         return 2;
     }
     try {

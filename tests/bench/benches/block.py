@@ -17,6 +17,7 @@ def cpuVariants(cores, largest):
     ways += [("serial", 1, "auto", "double", form)
              for form in ("elastic", "physical", "viscous", "selective")]
     ways += [("serial", 1, simd, "double", SATURATION) for simd in ("scalar", "avx2", "avx512")]
+    ways.append(("serial", 1, "auto", "double", SATURATION, "random"))
     return ways + [("serial", 1, "auto", precision, SATURATION) for precision in ("mixed", "single")]
 
 
@@ -41,11 +42,12 @@ def measure(binaries, n, steps, repeats, variants):
         if "skipped" in found:
             print(f"  {found['variant']} left out: {found['skipped']}", flush=True)
             continue
-        backend, threads, simd, precision, form = found["variant"].split(",")
+        backend, threads, simd, precision, form, *order = found["variant"].split(",")
         simd = "" if backend == "cuda" else found["description"].split(", ")[2]
-        rows.append(Row(f"block.{form}.{n}", backend, int(threads), simd, precision, "default",
-                        found["elements"], 0, found["steps"], found["seconds"],
-                        0.0, found["bytesPerElementStep"], found["checksum"]))
+        name = ".".join(["block", form, *order, str(n)])
+        rows.append(Row(name, backend, int(threads), simd, precision, "default",
+                        found["elements"], 0, found["steps"], found["seconds"], 0.0,
+                        found["bytesPerElementStep"], found["deviceBytes"], found["checksum"]))
     return rows
 
 

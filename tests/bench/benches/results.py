@@ -9,7 +9,7 @@ import subprocess
 
 COLUMNS = ("case", "backend", "threads", "simd", "precision", "algorithm", "elements", "contactors",
            "steps", "wall_s", "ns_per_element_step", "ns_per_contactor_step", "contact_share",
-           "bytes_per_element", "checksum")
+           "bytes_per_element", "memory_per_element", "checksum")
 
 
 @dataclasses.dataclass
@@ -28,6 +28,7 @@ class Row:
     seconds: list
     contactShare: float | None
     bytesPerElement: float | None  # of elements and nodes, a step; None where contact adds to them
+    memory: int  # bytes the solver holds on its device
     checksum: str
 
     @property
@@ -47,7 +48,8 @@ class Row:
         known = [self.case, self.backend, self.threads, self.simd, self.precision, self.algorithm,
                  self.elements, self.contactors, self.steps, f"{self.wall:.6g}",
                  f"{self.nanoseconds(self.wall):.5g}"]
-        for value in (self.perContactor(), self.contactShare, self.bytesPerElement):
+        for value in (self.perContactor(), self.contactShare, self.bytesPerElement,
+                      self.memory / self.elements):
             known.append("" if value is None else f"{value:.4g}")
         return known + [self.checksum]
 
@@ -68,8 +70,8 @@ def writeCsv(path, rows):
 def markdown(rows, bandwidths):
     """Table with the median, the least and the spread, and the share of the copy bandwidth used."""
     lines = ["| case | backend | vector width | precision | algorithm | elements | contactors | "
-             "steps | median ns | least ns | spread | contact | GB/s | of copy | checksum |",
-             "|" + "---|" * 15]
+             "steps | median ns | least ns | spread | contact | GB/s | of copy | bytes held | checksum |",
+             "|" + "---|" * 16]
     for row in rows:
         ns = [row.nanoseconds(seconds) for seconds in row.seconds]
         rate = share = ""
@@ -84,7 +86,7 @@ def markdown(rows, bandwidths):
             row.case, row.backend + threads, row.simd, row.precision, row.algorithm, row.elements,
             row.contactors, row.steps, f"{statistics.median(ns):.4g}", f"{min(ns):.4g}",
             f"{100 * (max(ns) - min(ns)) / statistics.median(ns):.0f} %", contact, rate, share,
-            row.checksum))) + " |")
+            f"{row.memory / row.elements:.0f}", row.checksum))) + " |")
     return "\n".join(lines)
 
 

@@ -117,7 +117,7 @@ def measure(scene, variants, repeats, steps, notes):
                         variant.algorithm, found["elements"], found["contactors"], found["steps"],
                         [run["wallSeconds"] for run in runs], found["contactShare"],
                         None if found["contactors"] else found["bytesPerElementStep"],
-                        found["checksum"]))
+                        found["deviceBytes"], found["checksum"]))
     shareContact(rows)
     return rows
 
