@@ -168,13 +168,15 @@ ChartSpec readChart(const Dictionary& entry, const std::string& name, const Case
     chart.title = entry.wordOr("title", "");
     chart.product = entry.choiceOr("combine", "each", {"each", "product"}) == "product";
     chart.settings.repeats = int(entry.integerOr("repeats", 1, 1, 1000));
+    chart.settings.timeLimit = entry.numberOr("runTimeLimit", 0, nonNegative());
     chart.settings.keepFields = entry.switchOr("keepFields", false);
     const auto cost = entry.choiceOr("cost", "wall", {"wall", "cpu", "elementSteps"});
     chart.cost = cost == "cpu"            ? CostKind::cpu
                  : cost == "elementSteps" ? CostKind::elementSteps
                                           : CostKind::wall;
     chart.tolerance = entry.numberOr("tolerance", 0.01, positive());
-    chart.ladders = readLadders(entry.sub("ladders"), theCase);
+    chart.fixed = readFixed(entry.subOrEmpty("fixed"), theCase);
+    chart.ladders = readLadders(entry.sub("ladders"), theCase, chart.fixed);
     if (chart.ladders.empty()) entry.fail("ladders", "a chart needs at least one ladder");
     requireFewRuns(entry, chart);
     const auto probes = entry.sub("probes");

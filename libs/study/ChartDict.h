@@ -42,6 +42,7 @@ struct ChartSpec {
     StudySettings settings;
     CostKind cost = CostKind::wall;
     double tolerance = 0.01;
+    std::vector<CaseChange> fixed; ///< what all runs have
     std::vector<Ladder> ladders;
     std::vector<ChartProbe> probes;
     std::vector<ForeignPoint> foreign;

@@ -99,10 +99,10 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
     };
     const auto finest = format("the finest rung, {} {}", ladder.name, label(0));
     words = finest + ", whose own error is not known";
-    if (line.size() < 3 || ladder.step == StepOf::none) return curve(0);
+    if (line.size() < 3 || ladder.steps.empty()) return curve(0);
     std::array<double, 3> h{};
     for (std::size_t i = 0; i < 3; ++i)
-        h[i] = ladder.stepAt(std::size_t(plan.rungs[line[line.size() - 3 + i]].values[number]));
+        h[i] = ladder.steps[std::size_t(plan.rungs[line[line.size() - 3 + i]].values[number])];
     const auto order = h[0] > h[1] && h[1] > h[2] ? observedOrder(h, distance(curve(2), curve(1)),
                                                                   distance(curve(1), curve(0)))
                                                   : std::nullopt;
@@ -140,10 +140,11 @@ void addOrders(const ChartProbe& probe,
 {
     for (const Line& line : plan.lines) {
         const Ladder& ladder = chart.ladders[line.ladder];
+        if (ladder.steps.empty()) continue;
         for (std::size_t i = 1; i < line.rungs.size(); ++i) {
             const std::size_t before = line.rungs[i - 1], rung = line.rungs[i];
             const auto step = [&](std::size_t r) {
-                return ladder.stepAt(std::size_t(plan.rungs[r].values[line.ladder]));
+                return ladder.steps[std::size_t(plan.rungs[r].values[line.ladder])];
             };
             const double order =
                 std::log(result.error(rung, probe.measure) / result.error(before, probe.measure))
@@ -171,7 +172,9 @@ std::vector<RungResult> costsOf(const ChartSpec& chart, const Plan& plan, const 
             result.row = rows.front();
             result.state = rows.front().state;
             std::vector<double> costs;
-            for (const RunRow& row : rows) costs.push_back(costOf(row, chart.cost));
+            // A repeat cut off by the time limit cost more than its row tells.
+            for (const RunRow& row : rows)
+                if (row.state == result.state) costs.push_back(costOf(row, chart.cost));
             const auto [least, most] = std::minmax_element(costs.begin(), costs.end());
             result.cost = {medianOf(costs), *least, *most};
         }

@@ -148,6 +148,26 @@ TEST_F(ChartTest, NamesTheColumnsAndFilesARunHas)
         "there are displacement.dat"));
 }
 
+TEST_F(ChartTest, SetsInAllRunsWhatIsFixedAndTellsTheOrderOfGivenSteps)
+{
+    folder_.write("half/system/controlDict", "n 2;\nm 0;\nfunctions { tip { type point; } }\n");
+    const auto file = folder_.root() / "log";
+    Log log(file);
+    runCharts(Case(folder_.root()),
+              Dictionary::parse("charts { c { cost elementSteps; fixed { half { overlay half; } } "
+                                "ladders { n { entries (controlDict.n controlDict.m); "
+                                "values ((2 7) (4 7)); names (coarse fine); steps (0.5 0.25); } } "
+                                "probes { tip { file \"postProcessing/tip/0/displacement.dat\"; "
+                                "y y; reference { expression \"t\"; } } } } }",
+                                "chartDict"),
+              {}, Pipeline(programs_.path()), log);
+
+    EXPECT_EQ(folder_.read("postProcessing/chart/c/runs/n_fine/system/controlDict").substr(0, 11),
+              "n 4;\nm 7;\nf");
+    EXPECT_NEAR(std::stod(cell("n_fine", "tip.order")), 2, 1e-3);
+    EXPECT_TRUE(contains(result("tip.svg"), ">fine<"));
+}
+
 TEST_F(ChartTest, ShowsOtherPrograms)
 {
     chart("1 2", "expression \"t\";",
