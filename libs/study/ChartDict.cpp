@@ -124,6 +124,7 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     probe.y = entry.word("y");
     probe.xScale = entry.numberOr("xScale", 1, positive());
     probe.yScale = entry.numberOr("yScale", 1);
+    probe.perLength = entry.switchOr("perLength", false);
     const auto measure = entry.choiceOr("measure", "L2", {"L2", "peak", "peakTime", "final"});
     probe.measure = measure == "peak"       ? Measure::peak
                     : measure == "peakTime" ? Measure::peakTime
@@ -133,16 +134,26 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     return probe;
 }
 
-ForeignPoint readForeign(const Dictionary& entry, const std::string& name, const ChartSpec& chart)
+ForeignPoint readForeign(const Dictionary& entry,
+                         const std::string& name,
+                         const ChartSpec& chart,
+                         const Case& theCase)
 {
     ForeignPoint point;
     point.name = name;
     point.cost = entry.number("cost", positive());
-    point.error = entry.number("error", positive());
+    const bool isCurve = entry.has("file");
+    if (isCurve == entry.has("error"))
+        entry.fail(isCurve ? "file" : "error",
+                   "another program has an error or a file, one of both");
+    if (isCurve)
+        point.curve = curveOfFile(entry, theCase);
+    else
+        point.error = entry.number("error", positive());
     point.note = entry.wordOr("note", "");
     std::vector<std::string> probes;
     for (const auto& probe : chart.probes) probes.push_back(probe.name);
-    if (entry.has("probe")) point.probe = entry.choice("probe", probes);
+    if (isCurve || entry.has("probe")) point.probe = entry.choice("probe", probes);
     return point;
 }
 
@@ -187,7 +198,7 @@ ChartSpec readChart(const Dictionary& entry, const std::string& name, const Case
     if (chart.probes.empty()) entry.fail("probes", "a chart needs at least one probe");
     const auto foreign = entry.subOrEmpty("foreign");
     for (const auto& key : foreign.keys())
-        chart.foreign.push_back(readForeign(foreign.sub(key), key, chart));
+        chart.foreign.push_back(readForeign(foreign.sub(key), key, chart, theCase));
     return chart;
 }
 

@@ -3,6 +3,7 @@
 #include "study/Curve.h"
 #include "study/Ladder.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,17 @@ struct ChartProbe {
     std::string file; ///< relative to the case: "postProcessing/tip/0/displacement.dat"
     std::string x, y;
     double xScale = 1, yScale = 1;
+    bool perLength = false; ///< y are shares of nodes, told per length of x
     Measure measure = Measure::l2;
     ReferenceSpec reference;
 };
 
-/// A result of another program.
+/// A result of another program: its error, or the curve that is held against the reference.
 struct ForeignPoint {
     std::string name, probe, note; ///< for all probes where `probe` is empty
     double cost = 0, error = 0;
+    std::optional<Curve> curve; ///< with `probe` only
+    bool isFor(const ChartProbe& other) const { return probe.empty() || probe == other.name; }
 };
 
 enum class CostKind { wall, cpu, elementSteps };

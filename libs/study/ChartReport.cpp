@@ -115,15 +115,17 @@ void addFront(Plot& plot,
     if (!front.empty()) plot.series.push_back(std::move(series));
 }
 
-void addForeign(Plot& plot, const ChartSpec& chart, const ChartProbe& probe)
+void addForeign(Plot& plot, const ChartSpec& chart, const ProbeResult& result)
 {
     PlotSeries series{"other programs", {}, {}, SeriesStyle::points, "#6b7280"};
-    for (const ForeignPoint& point : chart.foreign) {
-        if (!point.probe.empty() && point.probe != probe.name) continue;
+    for (std::size_t i = 0; i < chart.foreign.size(); ++i) {
+        const ForeignPoint& point = chart.foreign[i];
+        const double error = 100 * result.foreign[i];
+        if (!(error > 0)) continue;
         series.x.push_back(point.cost);
-        series.y.push_back(100 * point.error);
+        series.y.push_back(error);
         PlotMark mark;
-        mark.x = point.cost, mark.y = 100 * point.error, mark.series = plot.series.size();
+        mark.x = point.cost, mark.y = error, mark.series = plot.series.size();
         mark.text = point.name + (point.note.empty() ? "" : ", " + point.note);
         plot.marks.push_back(mark);
     }
@@ -193,6 +195,12 @@ std::string chartTable(const ChartSpec& chart,
     for (std::size_t probe = 0; probe < probes.size(); ++probe)
         text += format("# {}: errors (shares of one) against {}\n", chart.probes[probe].name,
                        probes[probe].reference);
+    for (std::size_t i = 0; i < chart.foreign.size(); ++i)
+        for (std::size_t probe = 0; probe < probes.size(); ++probe)
+            if (const double error = probes[probe].foreign[i]; std::isfinite(error))
+                text += format("# other program {}: cost {}, {} {}\n", chart.foreign[i].name,
+                               toText(chart.foreign[i].cost, 4), chart.probes[probe].name,
+                               toText(error, 4));
     return text
            + format("# cost: {}, median, least and most of {} repeats\n", costText(chart.cost),
                     chart.settings.repeats)
@@ -215,7 +223,7 @@ std::string chartPicture(const ChartSpec& chart,
               true};
     for (const Line& line : plan.lines) addLine(plot, line, chart, probe, plan, rungs, result);
     addFront(plot, probe, rungs, result);
-    addForeign(plot, chart, probe);
+    addForeign(plot, chart, result);
     return svgPlot(plot);
 }
 

@@ -46,7 +46,7 @@ Curve historyOf(const ChartProbe& probe, const std::filesystem::path& folder)
     Curve curve{table.values(probe.x), table.values(probe.y)};
     for (double& t : curve.t) t *= probe.xScale;
     for (double& y : curve.y) y *= probe.yScale;
-    return curve;
+    return probe.perLength ? perLength(curve) : curve;
 }
 
 using Curves = std::vector<std::optional<Curve>>;
@@ -130,6 +130,16 @@ bool isFinite(const CurveErrors& errors)
 {
     return std::isfinite(errors.l2) && std::isfinite(errors.peak) && std::isfinite(errors.final)
            && std::isfinite(errors.peakTime);
+}
+
+double
+foreignError(const ForeignPoint& point, const ChartProbe& probe, std::optional<Curve> reference)
+{
+    if (!point.isFor(probe)) return noNumber;
+    if (!point.curve) return point.error;
+    if (probe.reference.kind == ReferenceSpec::Kind::expression)
+        reference = formulaAt(point.curve->t, probe.reference.expression);
+    return reference ? errorsOf(*point.curve, *reference).of(probe.measure) : noNumber;
 }
 
 /// log(error / error before) / log(step / step before) along every line.
@@ -222,6 +232,8 @@ ProbeResult judge(const ChartProbe& probe,
         const CurveErrors errors = errorsOf(*curves[rung], *reference);
         if (isFinite(errors)) result.errors[rung] = errors;
     }
+    for (const ForeignPoint& point : chart.foreign)
+        result.foreign.push_back(foreignError(point, probe, reference));
     addOrders(probe, chart, plan, result);
     std::vector<double> costs, errors;
     for (std::size_t rung = 0; rung < rungs.size(); ++rung) {

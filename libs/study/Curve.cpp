@@ -109,6 +109,24 @@ CurveErrors errorsOf(const Curve& curve, const Curve& reference)
             std::abs(valueAt(curve, last) - valueAt(reference, last)) / scale};
 }
 
+Curve perLength(const Curve& shares)
+{
+    Curve sums;
+    for (std::size_t i = 0; i < shares.t.size(); ++i) {
+        if (sums.t.empty() || shares.t[i] != sums.t.back()) {
+            sums.t.push_back(shares.t[i]);
+            sums.y.push_back(0);
+        }
+        sums.y.back() += shares.y[i];
+    }
+    const std::size_t count = sums.t.size();
+    if (count < 2) return {};
+    for (std::size_t i = 0; i < count; ++i)
+        sums.y[i] /=
+            (sums.t[std::min(i + 1, count - 1)] - sums.t[i - std::min<std::size_t>(i, 1)]) / 2;
+    return sums;
+}
+
 double distance(const Curve& a, const Curve& b)
 {
     const Window window = common(a, b);

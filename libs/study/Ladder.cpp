@@ -55,6 +55,14 @@ Words itemsOf(const std::string& list)
     return Dictionary::parse("row " + list + ";", "values").items("row");
 }
 
+/// The one value of 'value', which may be a list.
+std::string valueOf(const Dictionary& entry)
+{
+    std::string text;
+    for (const auto& item : entry.items("value")) text += (text.empty() ? "" : " ") + item;
+    return entry.isList("value") ? "(" + text + ")" : text;
+}
+
 /// Keys that the annotated dictionary has below the dictionaries of `path` that exist in the case.
 /// Their names are the user's own (parts, pairs), so only depth and the first word must fit.
 bool isInManual(const Words& path, std::size_t existing, const std::string& file, Words& candidates)
@@ -211,7 +219,8 @@ void readNames(const Dictionary& entry, Ladder& ladder, const std::string& key)
     requireDistinct(key);
     if (!entry.has("names")) return;
     const auto count = ladder.values.size();
-    ladder.values = entry.words("names");
+    ladder.values = entry.items("names"); // numbers too
+    for (auto& name : ladder.values) std::erase(name, '"');
     if (ladder.values.size() != count)
         entry.fail("names", format("{} names for {} values", ladder.values.size(), count));
     requireDistinct("names");
@@ -276,9 +285,7 @@ std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase
         const auto entry = entries.sub(name);
         if (entry.has("overlay")) continue;
         auto change = readEntry(entry, "entry", entry.word("entry"), theCase, fixed);
-        const auto values = entry.items("value");
-        if (values.size() != 1) entry.fail("value", "this is to be one value");
-        change.value = values[0];
+        change.value = valueOf(entry);
         fixed.push_back(std::move(change));
     }
     return fixed;

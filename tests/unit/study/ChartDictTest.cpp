@@ -147,12 +147,12 @@ TEST_F(ChartDictTest, RefusesLaddersWithoutSense)
 TEST_F(ChartDictTest, SetsSeveralEntriesTogetherUnderAName)
 {
     const auto charts = read(
-        "charts { c { fixed { one { entry controlDict.threads; value 1; } "
+        "charts { c { fixed { one { entry contactDict.surfaces.wall.normal; value (0 0 2); } "
         "quarter { overlay \"variants/quarter\"; } } ladders { "
         "form { entries (partProperties.parts.plate1.hourglass.form "
         "partProperties.parts.plate1.hourglass.coefficient); "
         "values ((viscous 0.1) (physical 1)); names (viscous physical); } "
-        "mesh { overlay (none \"variants/quarter\"); names (coarse fine); steps (2 0.5); } } "
+        "mesh { overlay (none \"variants/quarter\"); names (2 \"0.5 mm\"); steps (2 0.5); } } "
         "probes { p { file \"postProcessing/tip/0/U.dat\"; y U_z; reference { finest mesh; } } } } "
         "}");
 
@@ -165,10 +165,10 @@ TEST_F(ChartDictTest, SetsSeveralEntriesTogetherUnderAName)
     EXPECT_TRUE(form.steps.empty());
     EXPECT_EQ(charts[0].ladders[1].steps, (std::vector<double>{2, 0.5}));
     EXPECT_TRUE(charts[0].ladders[1].changes[0].empty());
-    EXPECT_EQ(productOf(charts[0].ladders).rungs[3].label, "form physical, mesh fine");
+    EXPECT_EQ(productOf(charts[0].ladders).rungs[3].label, "form physical, mesh 0.5 mm");
     ASSERT_EQ(charts[0].fixed.size(), 2u);
     EXPECT_EQ(charts[0].fixed[0].overlay, "variants/quarter") << "folders come first";
-    EXPECT_EQ(charts[0].fixed[1].value, "1");
+    EXPECT_EQ(charts[0].fixed[1].value, "(0 0 2)");
 }
 
 TEST_F(ChartDictTest, KnowsTheEntriesThatAFixedFolderBrings)

@@ -178,6 +178,20 @@ TEST_F(ChartTest, ShowsOtherPrograms)
     EXPECT_TRUE(contains(result("tip.svg"), "other programs"));
 }
 
+TEST_F(ChartTest, HoldsTheCurveOfAnotherProgramAgainstTheSameReference)
+{
+    folder_.write("reference/rival.csv", "t,y\n0,0.1\n1,1.1\n");
+    chart("1 2", "expression \"t\";",
+          "foreign { rival { cost 12; file \"reference/rival.csv\"; x t; y y; probe tip; } }");
+
+    // 0.1 over the root mean square of t by the trapezoid over its two points, 1/2.
+    EXPECT_TRUE(contains(result("chart.dat"), "# other program rival: cost 12, tip 0.1414"));
+    EXPECT_TRUE(contains(result("tip.svg"), ">rival<"));
+    const auto refused = test::refusal(
+        [&] { chart("1 2", "expression \"t\";", "foreign { rival { cost 12; probe tip; } }"); });
+    EXPECT_TRUE(contains(refused, "has an error or a file, one of both"));
+}
+
 TEST(ParetoFront, HoldsWhatNothingBeats)
 {
     const double none = std::nan("");

@@ -136,3 +136,13 @@ TEST(Convergence, ExtrapolatesToTheExactCurve)
     for (std::size_t i = 0; i < estimate.t.size(); ++i)
         EXPECT_NEAR(estimate.y[i], std::sin(estimate.t[i]), 1e-14);
 }
+
+TEST(PerLength, MakesADensityOfTheSharesOfNodes)
+{
+    // A load of 6 per length on places 0, 1, 3, each with a node in front and one behind.
+    const Curve shares{{0, 0, 1, 1, 3, 3}, {1, 2, 5, 4, 2, 4}};
+    const Curve load = perLength(shares);
+    EXPECT_EQ(load.t, (std::vector<double>{0, 1, 3}));
+    EXPECT_EQ(load.y, (std::vector<double>{6, 6, 6}));
+    EXPECT_TRUE(perLength({{1, 1}, {2, 2}}).t.empty());
+}
