@@ -125,6 +125,7 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     probe.xScale = entry.numberOr("xScale", 1, positive());
     probe.yScale = entry.numberOr("yScale", 1);
     probe.perLength = entry.switchOr("perLength", false);
+    probe.average = entry.numberOr("average", 0, nonNegative());
     const auto measure = entry.choiceOr("measure", "L2", {"L2", "peak", "peakTime", "final"});
     probe.measure = measure == "peak"       ? Measure::peak
                     : measure == "peakTime" ? Measure::peakTime

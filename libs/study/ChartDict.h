@@ -24,6 +24,7 @@ struct ChartProbe {
     std::string file; ///< relative to the case: "postProcessing/tip/0/displacement.dat"
     std::string x, y;
     double xScale = 1, yScale = 1;
+    double average = 0;     ///< width of x of a running mean; 0: none
     bool perLength = false; ///< y are shares of nodes, told per length of x
     Measure measure = Measure::l2;
     ReferenceSpec reference;

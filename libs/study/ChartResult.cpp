@@ -46,7 +46,8 @@ Curve historyOf(const ChartProbe& probe, const std::filesystem::path& folder)
     Curve curve{table.values(probe.x), table.values(probe.y)};
     for (double& t : curve.t) t *= probe.xScale;
     for (double& y : curve.y) y *= probe.yScale;
-    return probe.perLength ? perLength(curve) : curve;
+    if (probe.perLength) curve = perLength(curve);
+    return probe.average > 0 ? averaged(curve, probe.average) : curve;
 }
 
 using Curves = std::vector<std::optional<Curve>>;

@@ -32,6 +32,10 @@ CurveErrors errorsOf(const Curve& curve, const Curve& reference);
 /// have none: an empty curve.
 Curve perLength(const Curve& shares);
 
+/// Running mean over `width` of t, the straight lines between the points integrated; less at the
+/// ends, where there is no more.
+Curve averaged(const Curve& curve, double width);
+
 /// Root mean square of a - b over the times both have, at the points of b.
 double distance(const Curve& a, const Curve& b);
 
