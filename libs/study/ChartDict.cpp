@@ -135,27 +135,37 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     return probe;
 }
 
-ForeignPoint readForeign(const Dictionary& entry,
-                         const std::string& name,
-                         const ChartSpec& chart,
-                         const Case& theCase)
+/// One point, or with 'errors' one a probe.
+void readForeign(const Dictionary& entry,
+                 const std::string& name,
+                 const Case& theCase,
+                 ChartSpec& chart)
 {
     ForeignPoint point;
     point.name = name;
     point.cost = entry.number("cost", positive());
+    point.note = entry.wordOr("note", "");
+    std::vector<std::string> probes;
+    for (const auto& probe : chart.probes) probes.push_back(probe.name);
+    if (int(entry.has("error")) + int(entry.has("errors")) + int(entry.has("file")) != 1)
+        entry.fail("cost", "another program has one of error, errors and file");
+    if (entry.has("errors")) {
+        const auto errors = entry.sub("errors");
+        for (const auto& probe : probes) {
+            if (!errors.has(probe)) continue;
+            point.probe = probe;
+            point.error = errors.number(probe, positive());
+            chart.foreign.push_back(point);
+        }
+        return;
+    }
     const bool isCurve = entry.has("file");
-    if (isCurve == entry.has("error"))
-        entry.fail(isCurve ? "file" : "error",
-                   "another program has an error or a file, one of both");
     if (isCurve)
         point.curve = curveOfFile(entry, theCase);
     else
         point.error = entry.number("error", positive());
-    point.note = entry.wordOr("note", "");
-    std::vector<std::string> probes;
-    for (const auto& probe : chart.probes) probes.push_back(probe.name);
     if (isCurve || entry.has("probe")) point.probe = entry.choice("probe", probes);
-    return point;
+    chart.foreign.push_back(point);
 }
 
 void requireFewRuns(const Dictionary& entry, const ChartSpec& chart)
@@ -198,8 +208,7 @@ ChartSpec readChart(const Dictionary& entry, const std::string& name, const Case
     }
     if (chart.probes.empty()) entry.fail("probes", "a chart needs at least one probe");
     const auto foreign = entry.subOrEmpty("foreign");
-    for (const auto& key : foreign.keys())
-        chart.foreign.push_back(readForeign(foreign.sub(key), key, chart, theCase));
+    for (const auto& key : foreign.keys()) readForeign(foreign.sub(key), key, theCase, chart);
     return chart;
 }
 

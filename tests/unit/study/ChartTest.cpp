@@ -172,10 +172,16 @@ TEST_F(ChartTest, ShowsOtherPrograms)
 {
     chart("1 2", "expression \"t\";",
           "foreign { rival { cost 12; error 0.03; note \"two cores\"; } "
-          "hidden { cost 12; error 0.03; probe tip; } }");
+          "hidden { cost 12; error 0.03; probe tip; } third { cost 7; errors { tip 0.25; } } }");
 
     EXPECT_TRUE(contains(result("tip.svg"), "rival, two cores"));
     EXPECT_TRUE(contains(result("tip.svg"), "other programs"));
+    EXPECT_TRUE(contains(result("chart.dat"), "# other program third: cost 7, tip 0.25"));
+    EXPECT_TRUE(contains(test::refusal([&] {
+                             chart("1 2", "expression \"t\";",
+                                   "foreign { third { cost 7; errors { top 0.25; } } }");
+                         }),
+                         "unknown keyword 'top'"));
 }
 
 TEST_F(ChartTest, HoldsTheCurveOfAnotherProgramAgainstTheSameReference)
@@ -189,7 +195,7 @@ TEST_F(ChartTest, HoldsTheCurveOfAnotherProgramAgainstTheSameReference)
     EXPECT_TRUE(contains(result("tip.svg"), ">rival<"));
     const auto refused = test::refusal(
         [&] { chart("1 2", "expression \"t\";", "foreign { rival { cost 12; probe tip; } }"); });
-    EXPECT_TRUE(contains(refused, "has an error or a file, one of both"));
+    EXPECT_TRUE(contains(refused, "has one of error, errors and file"));
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeats)
