@@ -85,6 +85,7 @@ void SvgDrawing::text(Pixel position, std::string_view text, const SvgFont& font
     if (font.anchor == Anchor::middle) xml += " text-anchor=\"middle\"";
     if (font.anchor == Anchor::end) xml += " text-anchor=\"end\"";
     if (font.bold) xml += " font-weight=\"600\"";
+    if (font.halo) xml += " stroke=\"#ffffff\" stroke-width=\"2.5\" paint-order=\"stroke\"";
     if (font.turn != 0)
         xml += " transform=\"rotate(" + svgNumber(font.turn) + " " + x + " " + y + ")\"";
     element(xml + ">" + escapeXml(text) + "</text>");

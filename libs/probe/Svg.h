@@ -18,7 +18,8 @@ struct SvgFont {
     Anchor anchor = Anchor::start;
     std::string colour = "#374151";
     bool bold = false;
-    double turn = 0; ///< degrees clockwise about the text's own position
+    double turn = 0;   ///< degrees clockwise about the text's own position
+    bool halo = false; ///< a white rim, to be read over lines
 };
 
 /// At most two decimals, no trailing zeros, independent of the locale.

@@ -254,6 +254,24 @@ void drawSeries(
     svg.element("</g>");
 }
 
+/// The lines of all series, as far as both ends of a piece are shown.
+std::vector<Stroke> strokesOf(const Plot& plot, const Scale& x, const Scale& y)
+{
+    std::vector<Stroke> strokes;
+    for (const PlotSeries& series : plot.series) {
+        if (series.style == SeriesStyle::points) continue;
+        const auto shown = [&](std::size_t i) {
+            return x.shows(series.x[i]) && y.shows(series.y[i]);
+        };
+        const auto at = [&](std::size_t i) {
+            return Pixel{x.pixel(series.x[i]), y.pixel(series.y[i])};
+        };
+        for (std::size_t i = 1; i < std::min(series.x.size(), series.y.size()); ++i)
+            if (shown(i - 1) && shown(i)) strokes.push_back({at(i - 1), at(i)});
+    }
+    return strokes;
+}
+
 void drawPlotMarks(SvgDrawing& svg,
                    const Plot& plot,
                    const std::vector<Look>& looks,
@@ -271,7 +289,8 @@ void drawPlotMarks(SvgDrawing& svg,
         one.colour = mark.series < looks.size() ? looks[mark.series].colour : ink;
         placed.push_back(one);
     }
-    drawMarks(svg, placed, {at.left, at.top}, {at.right, at.bottom});
+    if (placed.empty()) return;
+    drawMarks(svg, placed, strokesOf(plot, x, y), {at.left, at.top}, {at.right, at.bottom});
 }
 
 void drawLegend(SvgDrawing& svg, const Plot& plot, const std::vector<Look>& looks, const Layout& at)

@@ -227,12 +227,18 @@ std::vector<ChartSpec> readChartDict(const Dictionary& dictionary, const Case& t
     return charts;
 }
 
-std::string measureText(Measure measure)
+std::string measureText(const ChartProbe& probe)
 {
-    return measure == Measure::l2         ? "L2 over time"
-           : measure == Measure::peak     ? "peak"
-           : measure == Measure::peakTime ? "time of the peak"
-                                          : "final value";
+    switch (probe.measure) {
+    case Measure::l2:
+        return "L2 over " + probe.x;
+    case Measure::peak:
+        return "peak";
+    case Measure::peakTime:
+        return probe.x + " of the peak";
+    default:
+        return "final value";
+    }
 }
 
 std::string costText(CostKind cost)

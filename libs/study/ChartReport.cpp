@@ -218,7 +218,7 @@ std::string chartPicture(const ChartSpec& chart,
     plot.x = {costText(chart.cost), {}, true};
     const bool isEstimate = probe.reference.kind == ReferenceSpec::Kind::finest;
     plot.y = {format("{} of {}, {} [%]", isEstimate ? "estimated error" : "error", probe.name,
-                     measureText(probe.measure)),
+                     measureText(probe)),
               {},
               true};
     for (const Line& line : plan.lines) addLine(plot, line, chart, probe, plan, rungs, result);
@@ -234,7 +234,7 @@ std::string conclusion(const ChartSpec& chart,
 {
     const Choice choice = choose(chart, probe, rungs, result);
     const auto goal =
-        format("{} on {} ({})", percent(chart.tolerance), probe.name, measureText(probe.measure));
+        format("{} on {} ({})", percent(chart.tolerance), probe.name, measureText(probe));
     if (!choice.best) return format("{}: no run has an error to judge", goal);
     const RungResult& best = rungs[*choice.best];
     const double bestError = result.error(*choice.best, probe.measure);
