@@ -132,7 +132,7 @@ void drawMarks(SvgDrawing& svg,
         }
         taken.push_back(textBox(mark.at, best, mark.mark.text));
         svg.text({mark.at.x + best.dx, mark.at.y + best.dy}, mark.mark.text,
-                 {textSize, best.anchor, mark.colour, false, 0, true});
+                 {textSize, best.anchor, readableColour(mark.colour), false, 0, true});
     }
 }
 

@@ -26,6 +26,8 @@ struct SvgFont {
 std::string svgNumber(double value);
 /// & < > " as entities; control characters are dropped.
 std::string escapeXml(std::string_view text);
+/// "#rrggbb" darkened until a small text in it can be read on white.
+std::string readableColour(const std::string& colour);
 /// Width in pixels of `text` set in a usual sans-serif, estimated on the wide side.
 double textWidth(std::string_view text, double size);
 

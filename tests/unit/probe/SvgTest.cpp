@@ -29,3 +29,10 @@ TEST(Svg, CountsOneWidthForACharacterOfManyBytes)
     EXPECT_DOUBLE_EQ(textWidth("µ", 10), textWidth("u", 10));
     EXPECT_LT(textWidth("ill", 10), textWidth("www", 10));
 }
+
+TEST(Svg, DarkensColoursThatAreWeakOnWhite)
+{
+    EXPECT_EQ(readableColour("#0072B2"), "#0072B2");
+    EXPECT_EQ(readableColour("#FFFFFF"), "#7D7D7D");
+    EXPECT_EQ(readableColour("#F0E442"), "#8C8527"); // weights 0.299, 0.587, 0.114: times 0.5842
+}
