@@ -34,5 +34,6 @@ TEST(Svg, DarkensColoursThatAreWeakOnWhite)
 {
     EXPECT_EQ(readableColour("#0072B2"), "#0072B2");
     EXPECT_EQ(readableColour("#FFFFFF"), "#7D7D7D");
-    EXPECT_EQ(readableColour("#F0E442"), "#8C8527"); // weights 0.299, 0.587, 0.114: times 0.5842
+    EXPECT_EQ(readableColour("#F0E442"),
+              "#8D8627"); // brightness 213.1, so times 125 / 213.1 = 0.5865
 }
