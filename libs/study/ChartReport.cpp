@@ -125,7 +125,7 @@ void addForeign(Plot& plot, const ChartSpec& chart, const ProbeResult& result)
         series.x.push_back(point.cost);
         series.y.push_back(error);
         PlotMark mark;
-        mark.x = point.cost, mark.y = error, mark.series = plot.series.size();
+        mark.x = point.cost, mark.y = error, mark.series = plot.series.size(), mark.hollow = true;
         mark.text = point.name + (point.note.empty() ? "" : ", " + point.note);
         plot.marks.push_back(mark);
     }
