@@ -217,10 +217,10 @@ std::string chartPicture(const ChartSpec& chart,
     plot.title = chart.title;
     plot.x = {costText(chart.cost), {}, true};
     const bool isEstimate = probe.reference.kind == ReferenceSpec::Kind::finest;
-    plot.y = {format("{} of {}, {} [%]", isEstimate ? "estimated error" : "error", probe.name,
-                     measureText(probe)),
-              {},
-              true};
+    const auto what = result.rung.empty()
+                          ? format("{} of {}", isEstimate ? "estimated error" : "error", probe.name)
+                          : format("difference of {} to {}", probe.name, result.rung);
+    plot.y = {format("{}, {} [%]", what, measureText(probe)), {}, true};
     for (const Line& line : plan.lines) addLine(plot, line, chart, probe, plan, rungs, result);
     addFront(plot, probe, rungs, result);
     addForeign(plot, chart, result);

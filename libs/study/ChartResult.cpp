@@ -82,8 +82,9 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
                                  const ChartSpec& chart,
                                  const Plan& plan,
                                  const Curves& curves,
-                                 std::string& words)
+                                 ProbeResult& result)
 {
+    std::string& words = result.reference;
     const std::size_t number = probe.reference.ladder;
     const Ladder& ladder = chart.ladders[number];
     const auto line = lineAlong(number, plan, curves);
@@ -98,7 +99,8 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
         return ladder
             .values[std::size_t(plan.rungs[line[line.size() - 1 - fromEnd]].values[number])];
     };
-    const auto finest = format("the finest rung, {} {}", ladder.name, label(0));
+    result.rung = format("{} {}", ladder.name, label(0));
+    const auto finest = "the finest rung, " + result.rung;
     words = finest + ", whose own error is not known";
     if (line.size() < 3 || ladder.steps.empty()) return curve(0);
     std::array<double, 3> h{};
@@ -113,6 +115,7 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
                          label(2), label(1), label(0));
         return curve(0);
     }
+    result.rung.clear();
     words = format("Richardson's estimate from {} {} and {}, observed order {} (an estimate, no "
                    "exact solution)",
                    ladder.name, label(1), label(0), toText(*order, 3));
@@ -220,7 +223,7 @@ ProbeResult judge(const ChartProbe& probe,
     std::optional<Curve> reference = probe.reference.curve;
     result.reference = "the reference given";
     if (probe.reference.kind == ReferenceSpec::Kind::finest)
-        reference = finestCurve(probe, chart, plan, curves, result.reference);
+        reference = finestCurve(probe, chart, plan, curves, result);
     if (probe.reference.kind == ReferenceSpec::Kind::expression)
         result.reference = probe.reference.expression;
 

@@ -111,6 +111,7 @@ TEST_F(ChartTest, TakesTheFinestRungItselfWhereThereIsNoOrder)
     EXPECT_NEAR(std::stod(cell("n_2", "tip.final")), 0.1875 / 1.0625, 1e-5);
     EXPECT_EQ(cell("n_4", "tip.L2"), "0");
     EXPECT_TRUE(contains(log, "n 4 (the reference itself)"));
+    EXPECT_TRUE(contains(result("tip.svg"), "difference of tip to n 4"));
     EXPECT_TRUE(contains(log, "the finest rung, n 4, whose own error is not known"));
 }
 
