@@ -217,9 +217,9 @@ std::string chartPicture(const ChartSpec& chart,
     plot.title = chart.title;
     plot.x = {costText(chart.cost), {}, true};
     const bool isEstimate = probe.reference.kind == ReferenceSpec::Kind::finest;
-    const auto what = result.rung.empty()
+    const auto what = result.theRung.empty()
                           ? format("{} of {}", isEstimate ? "estimated error" : "error", probe.name)
-                          : format("difference of {} to {}", probe.name, result.rung);
+                          : format("difference of {} to {}", probe.name, result.theRung);
     plot.y = {format("{}, {} [%]", what, measureText(probe)), {}, true};
     for (const Line& line : plan.lines) addLine(plot, line, chart, probe, plan, rungs, result);
     addFront(plot, probe, rungs, result);

@@ -99,8 +99,8 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
         return ladder
             .values[std::size_t(plan.rungs[line[line.size() - 1 - fromEnd]].values[number])];
     };
-    result.rung = format("{} {}", ladder.name, label(0));
-    const auto finest = "the finest rung, " + result.rung;
+    result.theRung = format("{} {}", ladder.name, label(0));
+    const auto finest = "the finest rung, " + result.theRung;
     words = finest + ", whose own error is not known";
     if (line.size() < 3 || ladder.steps.empty()) return curve(0);
     std::array<double, 3> h{};
@@ -115,7 +115,7 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
                          label(2), label(1), label(0));
         return curve(0);
     }
-    result.rung.clear();
+    result.theRung.clear();
     words = format("Richardson's estimate from {} {} and {}, observed order {} (an estimate, no "
                    "exact solution)",
                    ladder.name, label(1), label(0), toText(*order, 3));

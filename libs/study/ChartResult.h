@@ -30,7 +30,7 @@ struct ProbeResult {
     std::vector<double>
         foreign;           ///< errors of other programs; not a number: none, or not this probe
     std::string reference; ///< in words
-    std::string rung;      ///< "precision double", where that one itself is the reference
+    std::string theRung;   ///< "precision double", where that one itself is the reference
     double error(std::size_t rung, Measure measure) const; ///< not a number where there is none
 };
 
