@@ -62,6 +62,14 @@ std::string valueOn(const Line& line, const ChartSpec& chart, const Rung& rung)
     return chart.ladders[line.ladder].values[std::size_t(rung.values[line.ladder])];
 }
 
+/// In percent; not a number where there is none, or none but rounding.
+double shownError(const ProbeResult& result, std::size_t rung, Measure measure)
+{
+    constexpr double rounding = 1e-12;
+    const double error = result.error(rung, measure);
+    return error > rounding ? 100 * error : std::numeric_limits<double>::quiet_NaN();
+}
+
 double leastCost(const std::vector<RungResult>& rungs)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -85,7 +93,7 @@ void addLine(Plot& plot,
         if (one.state.empty()) continue;
         PlotMark mark;
         mark.x = one.cost.median, mark.xLeast = one.cost.least, mark.xMost = one.cost.most;
-        mark.y = 100 * result.error(rung, probe.measure);
+        mark.y = shownError(result, rung, probe.measure);
         mark.text = valueOn(line, chart, plan.rungs[rung]);
         mark.series = plot.series.size();
         mark.hollow = !one.succeeded();
@@ -94,7 +102,7 @@ void addLine(Plot& plot,
         if (!(mark.x > 0)) mark.x = leastCost(rungs); // failed before there was any
         series.x.push_back(mark.x);
         series.y.push_back(mark.y);
-        // Without an error (no reference, or none but zero) there is nothing to show.
+        // Without an error there is nothing to show.
         if (mark.hollow || mark.y > 0) plot.marks.push_back(mark);
     }
     plot.series.push_back(std::move(series));
@@ -108,7 +116,7 @@ void addFront(Plot& plot,
     std::vector<std::pair<double, double>> front;
     for (std::size_t rung = 0; rung < rungs.size(); ++rung)
         if (result.front[rung])
-            front.emplace_back(rungs[rung].cost.median, 100 * result.error(rung, probe.measure));
+            front.emplace_back(rungs[rung].cost.median, shownError(result, rung, probe.measure));
     std::sort(front.begin(), front.end());
     PlotSeries series{"Pareto front", {}, {}, SeriesStyle::dashed};
     for (const auto& [cost, error] : front) series.x.push_back(cost), series.y.push_back(error);
