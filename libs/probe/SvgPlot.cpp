@@ -341,7 +341,10 @@ std::string svgPlot(const Plot& plot)
     y.from = layout.bottom, y.to = layout.top;
 
     SvgDrawing svg(width, layout.height, plot.title.empty() ? plot.y.label : plot.title);
-    svg.text({layout.left, 28}, plot.title, {titleSize, Anchor::start, "#111827", true});
+    // As large as it fits; bold letters are a twelfth wider.
+    const double wide = 13. / 12 * textWidth(plot.title, titleSize);
+    const double fit = std::min(1.0, (width - layout.left - 6) / std::max(wide, 1.0));
+    svg.text({layout.left, 28}, plot.title, {fit * titleSize, Anchor::start, "#111827", true});
     const std::vector<Look> looks = makeLooks(plot);
     drawLegend(svg, plot, looks, layout);
     drawAxes(svg, plot, layout, x, y);

@@ -109,6 +109,19 @@ TEST(SvgPlot, LeavesOutWhatALogarithmicAxisCannotShow)
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(SvgPlot, MakesALongTitleFit)
+{
+    const auto sizeOf = [](const std::string& title) {
+        Plot plot;
+        plot.title = title;
+        const std::string svg = svgPlot(plot);
+        const auto start = svg.rfind("font-size=\"", svg.rfind(">" + title + "<"));
+        return std::stod(svg.substr(start + 11));
+    };
+    EXPECT_EQ(sizeOf("short"), 17);
+    EXPECT_LT(sizeOf(std::string(100, 'm')), 8);
+}
+
 TEST(SvgPlot, KeepsTextsOffTheCurves)
 {
     // A line from lower left to upper right through a mark: its text's first place, above on the
