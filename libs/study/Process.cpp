@@ -67,7 +67,8 @@ bool waitUntil(pid_t child, std::chrono::steady_clock::time_point deadline)
         }
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(
             deadline - std::chrono::steady_clock::now());
-        constexpr long long longest = 1'000'000;
+        // An interruption just before the wait is seen after it.
+        constexpr long long longest = 1000;
         const int ready = poll(&one, 1, int(std::clamp<long long>(left.count(), 0, longest)));
         if (ready > 0) break;
         timedOut = ready == 0 && std::chrono::steady_clock::now() >= deadline;

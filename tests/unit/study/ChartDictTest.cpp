@@ -62,6 +62,7 @@ TEST_F(ChartDictTest, TheAnnotatedDictionaryReadsAsItStands)
     EXPECT_EQ(charts[0].ladders.size(), 4u);
     EXPECT_EQ(charts[0].probes.size(), 4u);
     EXPECT_TRUE(charts[0].settings.tables);
+    EXPECT_EQ(charts[0].settings.timeLimit, 600);
     EXPECT_EQ(productOf(charts[0].ladders).rungs.size(), 24u);
     EXPECT_EQ(productOf(charts[0].ladders).lines.size(), 8u);
     EXPECT_EQ(eachOf(charts[0].ladders).rungs.size(), 9u);
@@ -202,6 +203,15 @@ TEST_F(ChartDictTest, RefusesRowsNamesAndStepsThatAreNotOneAValue)
                      read("charts { c { fixed { n { entry controlDict.thread; value 1; } } } }");
                  }),
                  "did you mean 'threads'?"));
+}
+
+TEST_F(ChartDictTest, RefusesWidthsAndLimitsBelowZero)
+{
+    EXPECT_TRUE(
+        contains(refusal([&] { read("charts { c { runTimeLimit -1; } }"); }), "'runTimeLimit'"));
+    EXPECT_TRUE(contains(answer(fine, "file \"postProcessing/tip/0/U.dat\"; y U_z; average -1; "
+                                      "reference { expression \"t\"; }"),
+                         "'average'"));
 }
 
 TEST_F(ChartDictTest, RefusesProbesThatNothingWrites)
