@@ -55,10 +55,34 @@ Box textBox(Pixel at, const Seat& seat, const std::string& text)
     return {left, base - 9, left + width, base + 2};
 }
 
-double coveredBy(const Box& box, const std::vector<Box>& taken, const Box& frame)
+/// Length of a stroke within a box (Liang and Barsky 1984).
+double lengthWithin(const Box& box, const Stroke& stroke)
+{
+    const double dx = stroke.to.x - stroke.from.x, dy = stroke.to.y - stroke.from.y;
+    double first = 0, last = 1;
+    const auto cut = [&](double step, double room) {
+        if (step == 0) return room >= 0;
+        const double at = room / step;
+        if (step < 0)
+            first = std::max(first, at);
+        else
+            last = std::min(last, at);
+        return first < last;
+    };
+    const bool isIn = cut(-dx, stroke.from.x - box.left) && cut(dx, box.right - stroke.from.x)
+                      && cut(-dy, stroke.from.y - box.top) && cut(dy, box.bottom - stroke.from.y);
+    return isIn ? (last - first) * std::hypot(dx, dy) : 0;
+}
+
+/// How bad a place is, in pixels covered.
+double coveredBy(const Box& box,
+                 const std::vector<Box>& taken,
+                 const std::vector<Stroke>& curves,
+                 const Box& frame)
 {
     double sum = 0;
     for (const Box& other : taken) sum += box.overlap(other);
+    for (const Stroke& stroke : curves) sum += 2 * lengthWithin(box, stroke); // as wide as they are
     const double area = (box.right - box.left) * (box.bottom - box.top);
     return sum + 10 * (area - box.overlap(frame)); // outside is worse than over another
 }
@@ -81,7 +105,11 @@ void drawMark(SvgDrawing& svg, const PlacedMark& mark)
 
 } // namespace
 
-void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, Pixel lowerRight)
+void drawMarks(SvgDrawing& svg,
+               std::vector<PlacedMark> marks,
+               const std::vector<Stroke>& curves,
+               Pixel upperLeft,
+               Pixel lowerRight)
 {
     const Box frame{upperLeft.x, upperLeft.y, lowerRight.x, lowerRight.y};
     std::vector<Box> taken;
@@ -98,12 +126,13 @@ void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, 
         double least = 1e300;
         for (const Seat& seat : isKnown ? std::vector<Seat>(seats.begin(), seats.end())
                                         : std::vector<Seat>{beside, before}) {
-            const double covered = coveredBy(textBox(mark.at, seat, mark.mark.text), taken, frame);
+            const double covered =
+                coveredBy(textBox(mark.at, seat, mark.mark.text), taken, curves, frame);
             if (covered < least) best = seat, least = covered;
         }
         taken.push_back(textBox(mark.at, best, mark.mark.text));
         svg.text({mark.at.x + best.dx, mark.at.y + best.dy}, mark.mark.text,
-                 {textSize, best.anchor, mark.colour});
+                 {textSize, best.anchor, readableColour(mark.colour), false, 0, true});
     }
 }
 

@@ -19,9 +19,18 @@ struct PlacedMark {
     std::string colour;
 };
 
+/// A piece of a curve, in pixels.
+struct Stroke {
+    Pixel from, to;
+};
+
 /// Draws marks (those without y one below the other from the top) and the texts beside them; each
-/// text takes the first place around its mark, within the frame, that covers neither a mark nor
-/// another text.
-void drawMarks(SvgDrawing& svg, std::vector<PlacedMark> marks, Pixel upperLeft, Pixel lowerRight);
+/// text takes the place around its mark, within the frame, where least of a mark, another text or
+/// a curve is covered.
+void drawMarks(SvgDrawing& svg,
+               std::vector<PlacedMark> marks,
+               const std::vector<Stroke>& curves,
+               Pixel upperLeft,
+               Pixel lowerRight);
 
 } // namespace fpm

@@ -1,6 +1,7 @@
 #include "probe/Svg.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -34,6 +35,27 @@ std::string escapeXml(std::string_view text)
             escaped += c;
     }
     return escaped;
+}
+
+std::string readableColour(const std::string& colour)
+{
+    std::array<double, 3> part{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        int value = 0;
+        const char* digits = colour.data() + 1 + 2 * i;
+        std::from_chars(digits, digits + 2, value, 16);
+        part[i] = value;
+    }
+    // Brightness by the weights of the eye; 255 is white.
+    constexpr double most = 125;
+    const double bright = 0.299 * part[0] + 0.587 * part[1] + 0.114 * part[2];
+    const double share = bright > most ? most / bright : 1;
+    std::string text = "#";
+    for (const double value : part) {
+        const int whole = int(value * share + 0.5);
+        for (const int digit : {whole / 16, whole % 16}) text += "0123456789ABCDEF"[digit];
+    }
+    return text;
 }
 
 double textWidth(std::string_view text, double size)
@@ -85,6 +107,7 @@ void SvgDrawing::text(Pixel position, std::string_view text, const SvgFont& font
     if (font.anchor == Anchor::middle) xml += " text-anchor=\"middle\"";
     if (font.anchor == Anchor::end) xml += " text-anchor=\"end\"";
     if (font.bold) xml += " font-weight=\"600\"";
+    if (font.halo) xml += " stroke=\"#ffffff\" stroke-width=\"2.5\" paint-order=\"stroke\"";
     if (font.turn != 0)
         xml += " transform=\"rotate(" + svgNumber(font.turn) + " " + x + " " + y + ")\"";
     element(xml + ">" + escapeXml(text) + "</text>");

@@ -18,13 +18,16 @@ struct SvgFont {
     Anchor anchor = Anchor::start;
     std::string colour = "#374151";
     bool bold = false;
-    double turn = 0; ///< degrees clockwise about the text's own position
+    double turn = 0;   ///< degrees clockwise about the text's own position
+    bool halo = false; ///< a white rim, to be read over lines
 };
 
 /// At most two decimals, no trailing zeros, independent of the locale.
 std::string svgNumber(double value);
 /// & < > " as entities; control characters are dropped.
 std::string escapeXml(std::string_view text);
+/// "#rrggbb" darkened until a small text in it can be read on white.
+std::string readableColour(const std::string& colour);
 /// Width in pixels of `text` set in a usual sans-serif, estimated on the wide side.
 double textWidth(std::string_view text, double size);
 

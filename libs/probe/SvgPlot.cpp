@@ -17,9 +17,10 @@ constexpr double tickSize = 12, labelSize = 13, legendSize = 12.5, titleSize = 1
 constexpr std::size_t sparse = 12; ///< a line through so few points shows them as dots
 constexpr const char* ink = "#374151";
 
-// Okabe and Ito 2008; black is kept for reference data, yellow (weak on white) comes last.
-constexpr std::array<const char*, 7> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                             "#E69F00", "#56B4E9", "#F0E442"};
+// Okabe and Ito 2008; black is kept for reference data. Brown and violet of ColorBrewer follow, and
+// yellow, weak on white, comes last.
+constexpr std::array<const char*, 9> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00",
+                                             "#56B4E9", "#8C510A", "#7B3294", "#F0E442"};
 constexpr const char* referenceColour = "#1f2937";
 
 struct Look {
@@ -254,6 +255,24 @@ void drawSeries(
     svg.element("</g>");
 }
 
+/// The lines of all series, as far as both ends of a piece are shown.
+std::vector<Stroke> strokesOf(const Plot& plot, const Scale& x, const Scale& y)
+{
+    std::vector<Stroke> strokes;
+    for (const PlotSeries& series : plot.series) {
+        if (series.style == SeriesStyle::points) continue;
+        const auto shown = [&](std::size_t i) {
+            return x.shows(series.x[i]) && y.shows(series.y[i]);
+        };
+        const auto at = [&](std::size_t i) {
+            return Pixel{x.pixel(series.x[i]), y.pixel(series.y[i])};
+        };
+        for (std::size_t i = 1; i < std::min(series.x.size(), series.y.size()); ++i)
+            if (shown(i - 1) && shown(i)) strokes.push_back({at(i - 1), at(i)});
+    }
+    return strokes;
+}
+
 void drawPlotMarks(SvgDrawing& svg,
                    const Plot& plot,
                    const std::vector<Look>& looks,
@@ -271,7 +290,8 @@ void drawPlotMarks(SvgDrawing& svg,
         one.colour = mark.series < looks.size() ? looks[mark.series].colour : ink;
         placed.push_back(one);
     }
-    drawMarks(svg, placed, {at.left, at.top}, {at.right, at.bottom});
+    if (placed.empty()) return;
+    drawMarks(svg, placed, strokesOf(plot, x, y), {at.left, at.top}, {at.right, at.bottom});
 }
 
 void drawLegend(SvgDrawing& svg, const Plot& plot, const std::vector<Look>& looks, const Layout& at)
@@ -321,7 +341,10 @@ std::string svgPlot(const Plot& plot)
     y.from = layout.bottom, y.to = layout.top;
 
     SvgDrawing svg(width, layout.height, plot.title.empty() ? plot.y.label : plot.title);
-    svg.text({layout.left, 28}, plot.title, {titleSize, Anchor::start, "#111827", true});
+    // As large as it fits; bold letters are a twelfth wider.
+    const double wide = 13. / 12 * textWidth(plot.title, titleSize);
+    const double fit = std::min(1.0, (width - layout.left - 6) / std::max(wide, 1.0));
+    svg.text({layout.left, 28}, plot.title, {fit * titleSize, Anchor::start, "#111827", true});
     const std::vector<Look> looks = makeLooks(plot);
     drawLegend(svg, plot, looks, layout);
     drawAxes(svg, plot, layout, x, y);

@@ -94,7 +94,8 @@ Ticks decadeTicks(double lower, double upper)
             }
         }
     }
-    return ticks;
+    // Within a fraction of a decade even steps say more.
+    return ticks.values.size() < 2 ? linearTicks(lower, upper, 5) : ticks;
 }
 
 std::string timesPowerOfTen(int exponent)

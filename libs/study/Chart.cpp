@@ -12,10 +12,14 @@ namespace fpm {
 
 namespace {
 
-std::vector<StudyRun> runsOf(const Plan& plan)
+std::vector<StudyRun> runsOf(const Plan& plan, const std::vector<CaseChange>& fixed)
 {
     std::vector<StudyRun> runs;
-    for (const Rung& rung : plan.rungs) runs.push_back(rung.run);
+    for (const Rung& rung : plan.rungs) {
+        runs.push_back(rung.run);
+        auto& changes = runs.back().changes;
+        changes.insert(changes.begin(), fixed.begin(), fixed.end());
+    }
     return runs;
 }
 
@@ -61,7 +65,7 @@ void runChart(const Case& theCase,
     const auto folder = theCase.path("postProcessing/chart") / chart.name;
     const Plan plan = chart.product ? productOf(chart.ladders) : eachOf(chart.ladders);
     chart.settings.retry = options.retry;
-    Study study(theCase, folder, runsOf(plan), chart.settings, pipeline);
+    Study study(theCase, folder, runsOf(plan, chart.fixed), chart.settings, pipeline);
     log.line(format("chart {}: {} runs in {}", chart.name, study.total(), folder.string()));
     if (options.dryRun) return study.list(log);
     study.run(log);

@@ -124,6 +124,8 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     probe.y = entry.word("y");
     probe.xScale = entry.numberOr("xScale", 1, positive());
     probe.yScale = entry.numberOr("yScale", 1);
+    probe.perLength = entry.switchOr("perLength", false);
+    probe.average = entry.numberOr("average", 0, nonNegative());
     const auto measure = entry.choiceOr("measure", "L2", {"L2", "peak", "peakTime", "final"});
     probe.measure = measure == "peak"       ? Measure::peak
                     : measure == "peakTime" ? Measure::peakTime
@@ -133,17 +135,37 @@ readProbe(const Dictionary& entry, const std::string& name, const Case& theCase,
     return probe;
 }
 
-ForeignPoint readForeign(const Dictionary& entry, const std::string& name, const ChartSpec& chart)
+/// One point, or with 'errors' one a probe.
+void readForeign(const Dictionary& entry,
+                 const std::string& name,
+                 const Case& theCase,
+                 ChartSpec& chart)
 {
     ForeignPoint point;
     point.name = name;
     point.cost = entry.number("cost", positive());
-    point.error = entry.number("error", positive());
     point.note = entry.wordOr("note", "");
     std::vector<std::string> probes;
     for (const auto& probe : chart.probes) probes.push_back(probe.name);
-    if (entry.has("probe")) point.probe = entry.choice("probe", probes);
-    return point;
+    if (int(entry.has("error")) + int(entry.has("errors")) + int(entry.has("file")) != 1)
+        entry.fail("cost", "another program has one of error, errors and file");
+    if (entry.has("errors")) {
+        const auto errors = entry.sub("errors");
+        for (const auto& probe : probes) {
+            if (!errors.has(probe)) continue;
+            point.probe = probe;
+            point.error = errors.number(probe, positive());
+            chart.foreign.push_back(point);
+        }
+        return;
+    }
+    const bool isCurve = entry.has("file");
+    if (isCurve)
+        point.curve = curveOfFile(entry, theCase);
+    else
+        point.error = entry.number("error", positive());
+    if (isCurve || entry.has("probe")) point.probe = entry.choice("probe", probes);
+    chart.foreign.push_back(point);
 }
 
 void requireFewRuns(const Dictionary& entry, const ChartSpec& chart)
@@ -168,13 +190,15 @@ ChartSpec readChart(const Dictionary& entry, const std::string& name, const Case
     chart.title = entry.wordOr("title", "");
     chart.product = entry.choiceOr("combine", "each", {"each", "product"}) == "product";
     chart.settings.repeats = int(entry.integerOr("repeats", 1, 1, 1000));
+    chart.settings.timeLimit = entry.numberOr("runTimeLimit", 0, nonNegative());
     chart.settings.keepFields = entry.switchOr("keepFields", false);
     const auto cost = entry.choiceOr("cost", "wall", {"wall", "cpu", "elementSteps"});
     chart.cost = cost == "cpu"            ? CostKind::cpu
                  : cost == "elementSteps" ? CostKind::elementSteps
                                           : CostKind::wall;
     chart.tolerance = entry.numberOr("tolerance", 0.01, positive());
-    chart.ladders = readLadders(entry.sub("ladders"), theCase);
+    chart.fixed = readFixed(entry.subOrEmpty("fixed"), theCase);
+    chart.ladders = readLadders(entry.sub("ladders"), theCase, chart.fixed);
     if (chart.ladders.empty()) entry.fail("ladders", "a chart needs at least one ladder");
     requireFewRuns(entry, chart);
     const auto probes = entry.sub("probes");
@@ -184,8 +208,7 @@ ChartSpec readChart(const Dictionary& entry, const std::string& name, const Case
     }
     if (chart.probes.empty()) entry.fail("probes", "a chart needs at least one probe");
     const auto foreign = entry.subOrEmpty("foreign");
-    for (const auto& key : foreign.keys())
-        chart.foreign.push_back(readForeign(foreign.sub(key), key, chart));
+    for (const auto& key : foreign.keys()) readForeign(foreign.sub(key), key, theCase, chart);
     return chart;
 }
 
@@ -204,12 +227,18 @@ std::vector<ChartSpec> readChartDict(const Dictionary& dictionary, const Case& t
     return charts;
 }
 
-std::string measureText(Measure measure)
+std::string measureText(const ChartProbe& probe)
 {
-    return measure == Measure::l2         ? "L2 over time"
-           : measure == Measure::peak     ? "peak"
-           : measure == Measure::peakTime ? "time of the peak"
-                                          : "final value";
+    switch (probe.measure) {
+    case Measure::l2:
+        return "L2 over " + probe.x;
+    case Measure::peak:
+        return "peak";
+    case Measure::peakTime:
+        return probe.x + " of the peak";
+    default:
+        return "final value";
+    }
 }
 
 std::string costText(CostKind cost)

@@ -3,6 +3,7 @@
 #include "study/Curve.h"
 #include "study/Ladder.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,18 @@ struct ChartProbe {
     std::string file; ///< relative to the case: "postProcessing/tip/0/displacement.dat"
     std::string x, y;
     double xScale = 1, yScale = 1;
+    double average = 0;     ///< width of x of a running mean; 0: none
+    bool perLength = false; ///< y are shares of nodes, told per length of x
     Measure measure = Measure::l2;
     ReferenceSpec reference;
 };
 
-/// A result of another program.
+/// A result of another program: its error, or the curve that is held against the reference.
 struct ForeignPoint {
     std::string name, probe, note; ///< for all probes where `probe` is empty
     double cost = 0, error = 0;
+    std::optional<Curve> curve; ///< with `probe` only
+    bool isFor(const ChartProbe& other) const { return probe.empty() || probe == other.name; }
 };
 
 enum class CostKind { wall, cpu, elementSteps };
@@ -42,6 +47,7 @@ struct ChartSpec {
     StudySettings settings;
     CostKind cost = CostKind::wall;
     double tolerance = 0.01;
+    std::vector<CaseChange> fixed; ///< what all runs have
     std::vector<Ladder> ladders;
     std::vector<ChartProbe> probes;
     std::vector<ForeignPoint> foreign;
@@ -51,7 +57,7 @@ struct ChartSpec {
 /// histories and tables of the case, reference files, formulas. Throws InputError, Error(fileIo).
 std::vector<ChartSpec> readChartDict(const Dictionary& dictionary, const Case& theCase);
 
-std::string measureText(Measure measure); ///< "L2 over time", "peak", ...
-std::string costText(CostKind cost);      ///< "wall time [s]", ...
+std::string measureText(const ChartProbe& probe); ///< "L2 over time", "peak", ...
+std::string costText(CostKind cost);              ///< "wall time [s]", ...
 
 } // namespace fpm

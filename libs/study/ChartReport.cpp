@@ -62,6 +62,14 @@ std::string valueOn(const Line& line, const ChartSpec& chart, const Rung& rung)
     return chart.ladders[line.ladder].values[std::size_t(rung.values[line.ladder])];
 }
 
+/// In percent; not a number where there is none, or none but rounding.
+double shownError(const ProbeResult& result, std::size_t rung, Measure measure)
+{
+    constexpr double rounding = 1e-12;
+    const double error = result.error(rung, measure);
+    return error > rounding ? 100 * error : std::numeric_limits<double>::quiet_NaN();
+}
+
 double leastCost(const std::vector<RungResult>& rungs)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -85,7 +93,7 @@ void addLine(Plot& plot,
         if (one.state.empty()) continue;
         PlotMark mark;
         mark.x = one.cost.median, mark.xLeast = one.cost.least, mark.xMost = one.cost.most;
-        mark.y = 100 * result.error(rung, probe.measure);
+        mark.y = shownError(result, rung, probe.measure);
         mark.text = valueOn(line, chart, plan.rungs[rung]);
         mark.series = plot.series.size();
         mark.hollow = !one.succeeded();
@@ -94,7 +102,7 @@ void addLine(Plot& plot,
         if (!(mark.x > 0)) mark.x = leastCost(rungs); // failed before there was any
         series.x.push_back(mark.x);
         series.y.push_back(mark.y);
-        // Without an error (no reference, or none but zero) there is nothing to show.
+        // Without an error there is nothing to show.
         if (mark.hollow || mark.y > 0) plot.marks.push_back(mark);
     }
     plot.series.push_back(std::move(series));
@@ -108,22 +116,24 @@ void addFront(Plot& plot,
     std::vector<std::pair<double, double>> front;
     for (std::size_t rung = 0; rung < rungs.size(); ++rung)
         if (result.front[rung])
-            front.emplace_back(rungs[rung].cost.median, 100 * result.error(rung, probe.measure));
+            front.emplace_back(rungs[rung].cost.median, shownError(result, rung, probe.measure));
     std::sort(front.begin(), front.end());
     PlotSeries series{"Pareto front", {}, {}, SeriesStyle::dashed};
     for (const auto& [cost, error] : front) series.x.push_back(cost), series.y.push_back(error);
     if (!front.empty()) plot.series.push_back(std::move(series));
 }
 
-void addForeign(Plot& plot, const ChartSpec& chart, const ChartProbe& probe)
+void addForeign(Plot& plot, const ChartSpec& chart, const ProbeResult& result)
 {
     PlotSeries series{"other programs", {}, {}, SeriesStyle::points, "#6b7280"};
-    for (const ForeignPoint& point : chart.foreign) {
-        if (!point.probe.empty() && point.probe != probe.name) continue;
+    for (std::size_t i = 0; i < chart.foreign.size(); ++i) {
+        const ForeignPoint& point = chart.foreign[i];
+        const double error = 100 * result.foreign[i];
+        if (!(error > 0)) continue;
         series.x.push_back(point.cost);
-        series.y.push_back(100 * point.error);
+        series.y.push_back(error);
         PlotMark mark;
-        mark.x = point.cost, mark.y = 100 * point.error, mark.series = plot.series.size();
+        mark.x = point.cost, mark.y = error, mark.series = plot.series.size(), mark.hollow = true;
         mark.text = point.name + (point.note.empty() ? "" : ", " + point.note);
         plot.marks.push_back(mark);
     }
@@ -193,6 +203,12 @@ std::string chartTable(const ChartSpec& chart,
     for (std::size_t probe = 0; probe < probes.size(); ++probe)
         text += format("# {}: errors (shares of one) against {}\n", chart.probes[probe].name,
                        probes[probe].reference);
+    for (std::size_t i = 0; i < chart.foreign.size(); ++i)
+        for (std::size_t probe = 0; probe < probes.size(); ++probe)
+            if (const double error = probes[probe].foreign[i]; std::isfinite(error))
+                text += format("# other program {}: cost {}, {} {}\n", chart.foreign[i].name,
+                               toText(chart.foreign[i].cost, 4), chart.probes[probe].name,
+                               toText(error, 4));
     return text
            + format("# cost: {}, median, least and most of {} repeats\n", costText(chart.cost),
                     chart.settings.repeats)
@@ -209,13 +225,13 @@ std::string chartPicture(const ChartSpec& chart,
     plot.title = chart.title;
     plot.x = {costText(chart.cost), {}, true};
     const bool isEstimate = probe.reference.kind == ReferenceSpec::Kind::finest;
-    plot.y = {format("{} of {}, {} [%]", isEstimate ? "estimated error" : "error", probe.name,
-                     measureText(probe.measure)),
-              {},
-              true};
+    const auto what = result.theRung.empty()
+                          ? format("{} of {}", isEstimate ? "estimated error" : "error", probe.name)
+                          : format("difference of {} to {}", probe.name, result.theRung);
+    plot.y = {format("{}, {} [%]", what, measureText(probe)), {}, true};
     for (const Line& line : plan.lines) addLine(plot, line, chart, probe, plan, rungs, result);
     addFront(plot, probe, rungs, result);
-    addForeign(plot, chart, probe);
+    addForeign(plot, chart, result);
     return svgPlot(plot);
 }
 
@@ -226,7 +242,7 @@ std::string conclusion(const ChartSpec& chart,
 {
     const Choice choice = choose(chart, probe, rungs, result);
     const auto goal =
-        format("{} on {} ({})", percent(chart.tolerance), probe.name, measureText(probe.measure));
+        format("{} on {} ({})", percent(chart.tolerance), probe.name, measureText(probe));
     if (!choice.best) return format("{}: no run has an error to judge", goal);
     const RungResult& best = rungs[*choice.best];
     const double bestError = result.error(*choice.best, probe.measure);

@@ -46,7 +46,8 @@ Curve historyOf(const ChartProbe& probe, const std::filesystem::path& folder)
     Curve curve{table.values(probe.x), table.values(probe.y)};
     for (double& t : curve.t) t *= probe.xScale;
     for (double& y : curve.y) y *= probe.yScale;
-    return curve;
+    if (probe.perLength) curve = perLength(curve);
+    return probe.average > 0 ? averaged(curve, probe.average) : curve;
 }
 
 using Curves = std::vector<std::optional<Curve>>;
@@ -81,8 +82,9 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
                                  const ChartSpec& chart,
                                  const Plan& plan,
                                  const Curves& curves,
-                                 std::string& words)
+                                 ProbeResult& result)
 {
+    std::string& words = result.reference;
     const std::size_t number = probe.reference.ladder;
     const Ladder& ladder = chart.ladders[number];
     const auto line = lineAlong(number, plan, curves);
@@ -97,12 +99,13 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
         return ladder
             .values[std::size_t(plan.rungs[line[line.size() - 1 - fromEnd]].values[number])];
     };
-    const auto finest = format("the finest rung, {} {}", ladder.name, label(0));
+    result.theRung = format("{} {}", ladder.name, label(0));
+    const auto finest = "the finest rung, " + result.theRung;
     words = finest + ", whose own error is not known";
-    if (line.size() < 3 || ladder.step == StepOf::none) return curve(0);
+    if (line.size() < 3 || ladder.steps.empty()) return curve(0);
     std::array<double, 3> h{};
     for (std::size_t i = 0; i < 3; ++i)
-        h[i] = ladder.stepAt(std::size_t(plan.rungs[line[line.size() - 3 + i]].values[number]));
+        h[i] = ladder.steps[std::size_t(plan.rungs[line[line.size() - 3 + i]].values[number])];
     const auto order = h[0] > h[1] && h[1] > h[2] ? observedOrder(h, distance(curve(2), curve(1)),
                                                                   distance(curve(1), curve(0)))
                                                   : std::nullopt;
@@ -112,6 +115,7 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
                          label(2), label(1), label(0));
         return curve(0);
     }
+    result.theRung.clear();
     words = format("Richardson's estimate from {} {} and {}, observed order {} (an estimate, no "
                    "exact solution)",
                    ladder.name, label(1), label(0), toText(*order, 3));
@@ -132,6 +136,16 @@ bool isFinite(const CurveErrors& errors)
            && std::isfinite(errors.peakTime);
 }
 
+double
+foreignError(const ForeignPoint& point, const ChartProbe& probe, std::optional<Curve> reference)
+{
+    if (!point.isFor(probe)) return noNumber;
+    if (!point.curve) return point.error;
+    if (probe.reference.kind == ReferenceSpec::Kind::expression)
+        reference = formulaAt(point.curve->t, probe.reference.expression);
+    return reference ? errorsOf(*point.curve, *reference).of(probe.measure) : noNumber;
+}
+
 /// log(error / error before) / log(step / step before) along every line.
 void addOrders(const ChartProbe& probe,
                const ChartSpec& chart,
@@ -140,10 +154,11 @@ void addOrders(const ChartProbe& probe,
 {
     for (const Line& line : plan.lines) {
         const Ladder& ladder = chart.ladders[line.ladder];
+        if (ladder.steps.empty()) continue;
         for (std::size_t i = 1; i < line.rungs.size(); ++i) {
             const std::size_t before = line.rungs[i - 1], rung = line.rungs[i];
             const auto step = [&](std::size_t r) {
-                return ladder.stepAt(std::size_t(plan.rungs[r].values[line.ladder]));
+                return ladder.steps[std::size_t(plan.rungs[r].values[line.ladder])];
             };
             const double order =
                 std::log(result.error(rung, probe.measure) / result.error(before, probe.measure))
@@ -171,7 +186,9 @@ std::vector<RungResult> costsOf(const ChartSpec& chart, const Plan& plan, const 
             result.row = rows.front();
             result.state = rows.front().state;
             std::vector<double> costs;
-            for (const RunRow& row : rows) costs.push_back(costOf(row, chart.cost));
+            // A repeat cut off by the time limit cost more than its row tells.
+            for (const RunRow& row : rows)
+                if (row.state == result.state) costs.push_back(costOf(row, chart.cost));
             const auto [least, most] = std::minmax_element(costs.begin(), costs.end());
             result.cost = {medianOf(costs), *least, *most};
         }
@@ -206,7 +223,7 @@ ProbeResult judge(const ChartProbe& probe,
     std::optional<Curve> reference = probe.reference.curve;
     result.reference = "the reference given";
     if (probe.reference.kind == ReferenceSpec::Kind::finest)
-        reference = finestCurve(probe, chart, plan, curves, result.reference);
+        reference = finestCurve(probe, chart, plan, curves, result);
     if (probe.reference.kind == ReferenceSpec::Kind::expression)
         result.reference = probe.reference.expression;
 
@@ -219,6 +236,8 @@ ProbeResult judge(const ChartProbe& probe,
         const CurveErrors errors = errorsOf(*curves[rung], *reference);
         if (isFinite(errors)) result.errors[rung] = errors;
     }
+    for (const ForeignPoint& point : chart.foreign)
+        result.foreign.push_back(foreignError(point, probe, reference));
     addOrders(probe, chart, plan, result);
     std::vector<double> costs, errors;
     for (std::size_t rung = 0; rung < rungs.size(); ++rung) {

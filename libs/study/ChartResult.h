@@ -27,7 +27,10 @@ struct ProbeResult {
     std::vector<std::optional<CurveErrors>> errors; ///< of every rung; none where it failed
     std::vector<std::optional<double>> orders; ///< between a rung and the one before on its line
     std::vector<bool> front; ///< nothing is both cheaper and more accurate (Pareto)
-    std::string reference;   ///< in words
+    std::vector<double>
+        foreign;           ///< errors of other programs; not a number: none, or not this probe
+    std::string reference; ///< in words
+    std::string theRung;   ///< "precision double", where that one itself is the reference
     double error(std::size_t rung, Measure measure) const; ///< not a number where there is none
 };
 

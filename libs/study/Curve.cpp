@@ -109,6 +109,47 @@ CurveErrors errorsOf(const Curve& curve, const Curve& reference)
             std::abs(valueAt(curve, last) - valueAt(reference, last)) / scale};
 }
 
+Curve perLength(const Curve& shares)
+{
+    Curve sums;
+    for (std::size_t i = 0; i < shares.t.size(); ++i) {
+        if (sums.t.empty() || shares.t[i] != sums.t.back()) {
+            sums.t.push_back(shares.t[i]);
+            sums.y.push_back(0);
+        }
+        sums.y.back() += shares.y[i];
+    }
+    const std::size_t count = sums.t.size();
+    if (count < 2) return {};
+    for (std::size_t i = 0; i < count; ++i)
+        sums.y[i] /=
+            (sums.t[std::min(i + 1, count - 1)] - sums.t[i - std::min<std::size_t>(i, 1)]) / 2;
+    return sums;
+}
+
+Curve averaged(const Curve& curve, double width)
+{
+    if (curve.t.size() < 2) return curve;
+    // Integral up to every point, and to any place between them.
+    std::vector<double> upTo{0};
+    for (std::size_t i = 1; i < curve.t.size(); ++i)
+        upTo.push_back(upTo.back()
+                       + (curve.y[i] + curve.y[i - 1]) / 2 * (curve.t[i] - curve.t[i - 1]));
+    const auto integralTo = [&](double t) {
+        const auto above = std::upper_bound(curve.t.begin() + 1, curve.t.end() - 1, t);
+        const auto i = std::size_t(above - curve.t.begin()) - 1;
+        return upTo[i] + (curve.y[i] + valueAt(curve, t)) / 2 * (t - curve.t[i]);
+    };
+    Curve mean{curve.t, {}};
+    for (const double t : curve.t) {
+        const double from = std::max(t - width / 2, curve.t.front());
+        const double to = std::min(t + width / 2, curve.t.back());
+        mean.y.push_back(to > from ? (integralTo(to) - integralTo(from)) / (to - from)
+                                   : valueAt(curve, t));
+    }
+    return mean;
+}
+
 double distance(const Curve& a, const Curve& b)
 {
     const Window window = common(a, b);

@@ -27,6 +27,15 @@ struct CurveErrors {
 };
 CurveErrors errorsOf(const Curve& curve, const Curve& reference);
 
+/// Of shares (the forces of a row of nodes) over their places what they are per length: shares of
+/// equal place added, over the half distances to the neighbours. Ascending places; fewer than two
+/// have none: an empty curve.
+Curve perLength(const Curve& shares);
+
+/// Running mean over `width` of t, the straight lines between the points integrated; less at the
+/// ends, where there is no more.
+Curve averaged(const Curve& curve, double width);
+
 /// Root mean square of a - b over the times both have, at the points of b.
 double distance(const Curve& a, const Curve& b);
 

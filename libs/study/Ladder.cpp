@@ -38,7 +38,7 @@ Words split(const std::string& path)
 }
 
 /// "system/meshDict" of meshDict or system/meshDict.
-std::string dictionaryOf(const Dictionary& ladder, const std::string& given)
+std::string dictionaryOf(const Dictionary& ladder, const char* key, const std::string& given)
 {
     Words names;
     for (const auto& file : dictionaries()) {
@@ -46,7 +46,21 @@ std::string dictionaryOf(const Dictionary& ladder, const std::string& given)
         if (given == file || given == name) return file;
         names.push_back(given.find('/') == given.npos ? name : file);
     }
-    ladder.fail("entry", format("there is no dictionary '{}'", given), suggestion(given, names));
+    ladder.fail(key, format("there is no dictionary '{}'", given), suggestion(given, names));
+}
+
+/// The items of a list: two of "(viscous 0.1)".
+Words itemsOf(const std::string& list)
+{
+    return Dictionary::parse("row " + list + ";", "values").items("row");
+}
+
+/// The one value of 'value', which may be a list.
+std::string valueOf(const Dictionary& entry)
+{
+    std::string text;
+    for (const auto& item : entry.items("value")) text += (text.empty() ? "" : " ") + item;
+    return entry.isList("value") ? "(" + text + ")" : text;
 }
 
 /// Keys that the annotated dictionary has below the dictionaries of `path` that exist in the case.
@@ -67,58 +81,149 @@ bool isInManual(const Words& path, std::size_t existing, const std::string& file
     return false;
 }
 
-void requireKnown(const Dictionary& entry, const Ladder& ladder, const Case& theCase)
+/// The files of this name, of the case and of the folders laid over it.
+std::vector<fs::path>
+filesOf(const std::string& file, const Case& theCase, const std::vector<CaseChange>& overlays)
 {
-    if (!theCase.hasFile(ladder.file))
-        entry.fail("entry", format("the case has no {}", ladder.file));
-    const auto existing = existingPath(theCase.path(ladder.file), theCase.root(), ladder.path);
-    if (existing == ladder.path) return;
-    const Words path = split(ladder.path);
+    std::vector<fs::path> files;
+    if (theCase.hasFile(file)) files.push_back(theCase.path(file));
+    for (const auto& one : overlays)
+        if (!one.overlay.empty() && fs::exists(theCase.inside(one.overlay) / file))
+            files.push_back(theCase.inside(one.overlay) / file);
+    return files;
+}
+
+void requireKnown(const Dictionary& entry,
+                  const char* key,
+                  const CaseChange& change,
+                  const Case& theCase,
+                  const std::vector<CaseChange>& overlays)
+{
+    const auto files = filesOf(change.file, theCase, overlays);
+    if (files.empty()) entry.fail(key, format("the case has no {}", change.file));
+    // What is laid over last is what a run has.
+    const auto existing = existingPath(files.back(), theCase.root(), change.path);
+    if (existing == change.path) return;
+    const Words path = split(change.path);
     const std::size_t depth = split(existing).size();
     Words candidates;
-    if (isInManual(path, depth, ladder.file, candidates)) return;
+    if (isInManual(path, depth, change.file, candidates)) return;
 
-    auto place = theCase.dictionary(ladder.file);
+    auto place = Dictionary::read(files.back(), theCase.root());
     for (std::size_t i = 0; i < depth && place.isDictionary(path[i]); ++i)
         place = place.sub(path[i]);
-    for (const auto& key : place.keys()) candidates.push_back(key);
+    for (const auto& other : place.keys()) candidates.push_back(other);
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    entry.fail("entry",
-               format("{} knows no '{}'{}", ladder.file, path[depth],
+    entry.fail(key,
+               format("{} knows no '{}'{}", change.file, path[depth],
                       existing.empty() ? "" : " in " + existing),
                suggestion(path[depth], candidates));
 }
 
-void readEntry(const Dictionary& entry, Ladder& ladder, const Case& theCase)
+/// File and keywords of "controlDict.timeStep.safety".
+CaseChange readEntry(const Dictionary& entry,
+                     const char* key,
+                     const std::string& given,
+                     const Case& theCase,
+                     const std::vector<CaseChange>& overlays)
 {
-    const auto given = entry.word("entry");
     const auto slash = given.rfind('/');
     const auto dot = given.find('.', slash == given.npos ? 0 : slash);
     if (dot == given.npos || dot + 1 == given.size() || dot == 0)
-        entry.fail("entry", format("'{}' names no entry", given),
+        entry.fail(key, format("'{}' names no entry", given),
                    "write file and keywords: controlDict.timeStep.safety");
-    ladder.file = dictionaryOf(entry, given.substr(0, dot));
-    ladder.path = given.substr(dot + 1);
+    const CaseChange change{dictionaryOf(entry, key, given.substr(0, dot)), given.substr(dot + 1),
+                            "", ""};
+    requireKnown(entry, key, change, theCase, overlays);
+    return change;
+}
+
+void requireFolder(const Dictionary& entry, const std::string& folder, const Case& theCase)
+{
+    if (!fs::is_directory(theCase.inside(folder)))
+        entry.fail("overlay", format("the case has no folder '{}'", folder),
+                   "none is the case as it is");
+}
+
+/// One entry, whose values are the rungs, or several, whose values are rows.
+void readValues(const Dictionary& entry,
+                Ladder& ladder,
+                const Case& theCase,
+                const std::vector<CaseChange>& fixed)
+{
+    const bool isOne = !entry.has("entries");
+    const char* key = isOne ? "entry" : "entries";
+    std::vector<CaseChange> places;
+    for (const auto& given : isOne ? Words{entry.word("entry")} : entry.words("entries"))
+        places.push_back(readEntry(entry, key, given, theCase, fixed));
     ladder.values = entry.items("values");
-    const bool isRefinement = ladder.path.substr(ladder.path.rfind('.') + 1) == "refinement";
-    const auto step =
-        entry.choiceOr("order", isRefinement ? "inverse" : "none", {"none", "value", "inverse"});
-    ladder.step = step == "none" ? StepOf::none : step == "value" ? StepOf::value : StepOf::inverse;
-    requireKnown(entry, ladder, theCase);
-    for (std::size_t i = 0; ladder.step != StepOf::none && i < ladder.values.size(); ++i)
-        if (!(ladder.stepAt(i) > 0))
-            entry.fail("values", "an order of convergence needs values > 0",
-                       "write positive numbers, or order none;");
+    for (const auto& text : ladder.values) {
+        const Words row = isOne ? Words{text} : itemsOf(text);
+        if (row.size() != places.size())
+            entry.fail("values", format("'{}' is no row of {} values", text, places.size()),
+                       "every value is a list, one item for each of 'entries'");
+        auto changes = places;
+        for (std::size_t i = 0; i < row.size(); ++i) changes[i].value = row[i];
+        ladder.changes.push_back(std::move(changes));
+    }
 }
 
 void readOverlays(const Dictionary& entry, Ladder& ladder, const Case& theCase)
 {
     ladder.values = entry.words("overlay");
-    for (const auto& folder : ladder.values)
-        if (folder != "none" && !fs::is_directory(theCase.inside(folder)))
-            entry.fail("overlay", format("the case has no folder '{}'", folder),
-                       "none is the case as it is");
+    for (const auto& folder : ladder.values) {
+        ladder.changes.emplace_back();
+        if (folder == "none") continue;
+        requireFolder(entry, folder, theCase);
+        ladder.changes.back().push_back({"", "", "", folder});
+    }
+}
+
+bool endsAsRefinement(const Ladder& ladder)
+{
+    return ladder.changes.size() > 0 && ladder.changes[0].size() == 1
+           && ladder.changes[0][0].path.ends_with("refinement");
+}
+
+/// Steps as they are given, or from the values.
+void readSteps(const Dictionary& entry, Ladder& ladder)
+{
+    if (entry.has("steps")) {
+        ladder.steps = entry.numbers("steps");
+        for (const double step : ladder.steps)
+            if (!(step > 0)) entry.fail("steps", "steps are > 0");
+        if (ladder.steps.size() != ladder.values.size())
+            entry.fail("steps",
+                       format("{} steps for {} values", ladder.steps.size(), ladder.values.size()));
+    }
+    const auto order = entry.choiceOr("order", endsAsRefinement(ladder) ? "inverse" : "none",
+                                      {"none", "value", "inverse"});
+    if (order == "none" || !ladder.steps.empty()) return;
+    for (const auto& value : ladder.values) {
+        const auto number = readNumber(value);
+        if (!number || !(*number > 0))
+            entry.fail("values", "an order of convergence needs values > 0",
+                       "write positive numbers, steps (...), or order none;");
+        ladder.steps.push_back(order == "value" ? *number : 1 / *number);
+    }
+}
+
+void readNames(const Dictionary& entry, Ladder& ladder, const std::string& key)
+{
+    const auto requireDistinct = [&](const std::string& where) {
+        const std::set<std::string> distinct(ladder.values.begin(), ladder.values.end());
+        if (distinct.size() != ladder.values.size())
+            entry.fail(where, "a value stands here twice", "delete one; 'repeats' runs all again");
+    };
+    requireDistinct(key);
+    if (!entry.has("names")) return;
+    const auto count = ladder.values.size();
+    ladder.values = entry.items("names"); // numbers too
+    for (auto& name : ladder.values) std::erase(name, '"');
+    if (ladder.values.size() != count)
+        entry.fail("names", format("{} names for {} values", ladder.values.size(), count));
+    requireDistinct("names");
 }
 
 /// A value as part of a file name.
@@ -147,10 +252,8 @@ Rung rungOf(const std::vector<Ladder>& ladders, std::vector<int> values)
         rung.run.name += format("{}{}_{}", rung.run.name.empty() ? "" : ".", fileWord(ladder.name),
                                 fileWord(value));
         rung.label += format("{}{} {}", rung.label.empty() ? "" : ", ", ladder.name, value);
-        if (!ladder.isOverlay())
-            rung.run.changes.push_back({ladder.file, ladder.path, value, ""});
-        else if (value != "none")
-            rung.run.changes.push_back({"", "", "", value});
+        const auto& changes = ladder.changes[std::size_t(values[i])];
+        rung.run.changes.insert(rung.run.changes.end(), changes.begin(), changes.end());
     }
     rung.values = std::move(values);
     return rung;
@@ -169,14 +272,27 @@ void makeNamesUnique(std::vector<Rung>& rungs)
 
 } // namespace
 
-double Ladder::stepAt(std::size_t value) const
+std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase)
 {
-    const auto number = readNumber(values[value]);
-    if (step == StepOf::none || !number || !(*number > 0)) return 0;
-    return step == StepOf::value ? *number : 1 / *number;
+    // Folders first: they may bring the entries.
+    std::vector<CaseChange> fixed;
+    for (const auto& name : entries.keys())
+        if (const auto entry = entries.sub(name); entry.has("overlay")) {
+            fixed.push_back({"", "", "", entry.word("overlay")});
+            requireFolder(entry, fixed.back().overlay, theCase);
+        }
+    for (const auto& name : entries.keys()) {
+        const auto entry = entries.sub(name);
+        if (entry.has("overlay")) continue;
+        auto change = readEntry(entry, "entry", entry.word("entry"), theCase, fixed);
+        change.value = valueOf(entry);
+        fixed.push_back(std::move(change));
+    }
+    return fixed;
 }
 
-std::vector<Ladder> readLadders(const Dictionary& entries, const Case& theCase)
+std::vector<Ladder>
+readLadders(const Dictionary& entries, const Case& theCase, const std::vector<CaseChange>& fixed)
 {
     std::vector<Ladder> ladders;
     for (const auto& name : entries.keys()) {
@@ -187,12 +303,11 @@ std::vector<Ladder> readLadders(const Dictionary& entries, const Case& theCase)
         if (isOverlay)
             readOverlays(entry, ladder, theCase);
         else
-            readEntry(entry, ladder, theCase);
+            readValues(entry, ladder, theCase, fixed);
         const std::string key = isOverlay ? "overlay" : "values";
         if (ladder.values.empty()) entry.fail(key, "a ladder needs at least one value");
-        const std::set<std::string> distinct(ladder.values.begin(), ladder.values.end());
-        if (distinct.size() != ladder.values.size())
-            entry.fail(key, "a value stands here twice", "delete one; 'repeats' runs all again");
+        readSteps(entry, ladder);
+        readNames(entry, ladder, key);
         ladders.push_back(std::move(ladder));
     }
     return ladders;

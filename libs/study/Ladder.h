@@ -7,24 +7,23 @@
 
 namespace fpm {
 
-/// How the step whose order of convergence is observed follows from the value of a rung.
-enum class StepOf { none, value, inverse };
-
-/// One thing that is varied: an entry of the case, or which folder is laid over it.
+/// One thing that is varied: entries of the case, or which folder is laid over it.
 struct Ladder {
     std::string name;
-    std::string file, path; ///< the entry; both empty for overlays
-    std::vector<std::string> values;
-    StepOf step = StepOf::none;
-
-    bool isOverlay() const { return file.empty(); }
-    /// Step of a rung; 0 where it has none.
-    double stepAt(std::size_t value) const;
+    std::vector<std::string> values;              ///< of the rungs, as they are called
+    std::vector<std::vector<CaseChange>> changes; ///< of every value
+    std::vector<double> steps; ///< of every value: whose order is told; empty where none is
 };
 
-/// The entries of `ladders`. Throws InputError for entries that neither the case nor the annotated
-/// dictionaries know, unknown folders, values given twice.
-std::vector<Ladder> readLadders(const Dictionary& entries, const Case& theCase);
+/// The entries of `fixed`: what all runs of a chart have. Throws as readLadders.
+std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase);
+
+/// The entries of `ladders`, for runs that have `fixed`. Throws InputError for entries that neither
+/// the case nor folders laid over it nor the annotated dictionaries know, unknown folders, values
+/// given twice, names or steps that are not one a value.
+std::vector<Ladder> readLadders(const Dictionary& entries,
+                                const Case& theCase,
+                                const std::vector<CaseChange>& fixed = {});
 
 /// One variation: a value for every ladder, or -1 where the case is left as it is.
 struct Rung {

@@ -63,9 +63,10 @@ double rounded(double seconds)
     return std::round(1e6 * seconds) / 1e6;
 }
 
-std::string stateOf(const std::string& program, const ProcessEnd& end)
+std::string stateOf(const std::string& program, const ProcessEnd& end, double timeLimit)
 {
     if (end.succeeded()) return "ok";
+    if (end.timedOut) return pastTimeLimit(program, timeLimit);
     if (end.signal != 0) return format("{}:signal{}", program, end.signal);
     return format("{}:{}", program, end.exitCode);
 }
@@ -90,10 +91,11 @@ Pipeline Pipeline::beside()
     return Pipeline(fs::read_symlink("/proc/self/exe").parent_path());
 }
 
-RunRow Pipeline::run(const fs::path& folder, bool tables) const
+RunRow Pipeline::run(const fs::path& folder, bool tables, double timeLimit) const
 {
     RunRow row;
     row.host = hostName().empty() ? "-" : hostName();
+    double left = timeLimit;
     for (const std::string program : programs) {
         if (program == "fpmMesh" && !fs::exists(folder / "system/meshDict")) continue;
         if (program == "fpmSetContact" && !fs::exists(folder / "system/contactDict")) continue;
@@ -101,7 +103,8 @@ RunRow Pipeline::run(const fs::path& folder, bool tables) const
         std::vector<std::string> command{(bin_ / program).string(), "-noLog"};
         if (program == "fpmProbe") command.push_back("-tables");
         const auto log = folder / ("log." + program);
-        const auto end = runProcess(command, folder, log);
+        const auto end = runProcess(command, folder, log, left);
+        left -= end.wall;
         requireResult(program, end, log);
         if (program == "fpmExplicit") {
             row.wall = rounded(end.wall), row.cpu = rounded(end.cpu);
@@ -111,7 +114,7 @@ RunRow Pipeline::run(const fs::path& folder, bool tables) const
             row.steps = performanceNumber(text, "steps");
             row.nsPerElementStep = performanceNumber(text, "nsPerElementStep");
         }
-        row.state = stateOf(program, end);
+        row.state = stateOf(program, end, timeLimit);
         if (!end.succeeded()) break;
     }
     return row;

@@ -3,6 +3,7 @@
 #include "study/RunTable.h"
 
 #include <filesystem>
+#include <limits>
 #include <string>
 
 namespace fpm {
@@ -20,9 +21,12 @@ public:
     const std::string& key() const { return key_; }
 
     /// fpmMesh, fpmSetContact and fpmExplicit, as far as `folder` has their dictionaries, then
-    /// fpmProbe -tables if asked. A failing program ends the run and is its result. Throws Error
-    /// for what is none: interruption (stopped), a full disk (fileIo), a case in use (caseLocked).
-    RunRow run(const std::filesystem::path& folder, bool tables) const;
+    /// fpmProbe -tables if asked. A failing program ends the run and is its result, as is one that
+    /// still runs `timeLimit` seconds after the first was started. Throws Error for what is none:
+    /// interruption (stopped), a full disk (fileIo), a case in use (caseLocked).
+    RunRow run(const std::filesystem::path& folder,
+               bool tables,
+               double timeLimit = std::numeric_limits<double>::infinity()) const;
 
 private:
     std::filesystem::path bin_;

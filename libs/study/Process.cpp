@@ -4,11 +4,14 @@
 #include "base/Format.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -49,25 +52,47 @@ double seconds(const timeval& time)
     _exit(cannotStart);
 }
 
-ProcessEnd waitFor(pid_t child)
+/// Until it ends, or kills it at the deadline: then true.
+bool waitUntil(pid_t child, std::chrono::steady_clock::time_point deadline)
 {
-    int status = 0;
-    rusage used{};
-    bool passedOn = false;
-    while (wait4(child, &status, 0, &used) < 0) {
-        if (errno != EINTR)
-            throw Error(ExitCode::internal,
-                        "lost a child: " + std::generic_category().message(errno));
+    const int watch = int(syscall(SYS_pidfd_open, child, 0));
+    if (watch < 0)
+        throw Error(ExitCode::internal,
+                    "cannot watch a child: " + std::generic_category().message(errno));
+    bool passedOn = false, timedOut = false;
+    for (pollfd one{watch, POLLIN, 0}; !timedOut;) {
         if (Interrupt::raised() && !passedOn) {
             kill(child, SIGTERM);
             passedOn = true;
         }
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(
+            deadline - std::chrono::steady_clock::now());
+        // An interruption just before the wait is seen after it.
+        constexpr long long longest = 1000;
+        const int ready = poll(&one, 1, int(std::clamp<long long>(left.count(), 0, longest)));
+        if (ready > 0) break;
+        timedOut = ready == 0 && std::chrono::steady_clock::now() >= deadline;
     }
+    if (timedOut) kill(child, SIGKILL);
+    close(watch);
+    return timedOut;
+}
+
+ProcessEnd waitFor(pid_t child, std::chrono::steady_clock::time_point deadline)
+{
+    const bool timedOut = waitUntil(child, deadline);
+    int status = 0;
+    rusage used{};
+    while (wait4(child, &status, 0, &used) < 0)
+        if (errno != EINTR)
+            throw Error(ExitCode::internal,
+                        "lost a child: " + std::generic_category().message(errno));
     ProcessEnd end;
     if (WIFSIGNALED(status))
         end.signal = WTERMSIG(status);
     else
         end.exitCode = WEXITSTATUS(status);
+    end.timedOut = timedOut && end.signal == SIGKILL;
     end.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
     end.peakMemory = 1024.0 * double(used.ru_maxrss);
     return end;
@@ -95,7 +120,8 @@ bool Interrupt::raised()
 
 ProcessEnd runProcess(const std::vector<std::string>& command,
                       const std::filesystem::path& folder,
-                      const std::filesystem::path& log)
+                      const std::filesystem::path& log,
+                      double timeLimit)
 {
     const int output =
         open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -116,7 +142,10 @@ ProcessEnd runProcess(const std::vector<std::string>& command,
     if (child < 0)
         throw Error(ExitCode::memory,
                     "no further process: " + std::generic_category().message(errno));
-    auto end = waitFor(child);
+    // A month is as good as never, and no overflow of the clock.
+    const auto allowed = std::chrono::duration<double>(std::min(timeLimit, 2.6e6));
+    auto end = waitFor(
+        child, start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(allowed));
     end.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (end.exitCode == cannotStart)
         throw Error(ExitCode::fileIo, format("cannot start {}", command.front()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace fpm {
 struct ProcessEnd {
     int exitCode = 0;      ///< of a program that ended by itself
     int signal = 0;        ///< that ended it; 0: none
+    bool timedOut = false; ///< killed at the time limit
     double wall = 0;       ///< s
     double cpu = 0;        ///< s, user and system, all threads
     double peakMemory = 0; ///< bytes
@@ -30,9 +32,11 @@ public:
 
 /// Runs `command` (a path and its arguments) in `folder` with its output in `log` and waits for it.
 /// It gets SIGTERM when an Interrupt is raised, and dies with this process however that ends, so
-/// that no stray run writes where the next one works. Throws Error(fileIo) when it cannot start.
+/// that no stray run writes where the next one works. It is killed after `timeLimit` seconds.
+/// Throws Error(fileIo) when it cannot start.
 ProcessEnd runProcess(const std::vector<std::string>& command,
                       const std::filesystem::path& folder,
-                      const std::filesystem::path& log);
+                      const std::filesystem::path& log,
+                      double timeLimit = std::numeric_limits<double>::infinity());
 
 } // namespace fpm

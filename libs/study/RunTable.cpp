@@ -50,6 +50,8 @@ std::string causeOf(const std::string& state)
     const auto colon = state.find(':');
     if (colon == state.npos) return state;
     const auto program = state.substr(0, colon), how = state.substr(colon + 1);
+    if (const double limit = timeLimitOf(state); limit > 0)
+        return format("time limit of {} s ({})", toText(limit), program);
     if (how.starts_with("signal")) return format("{} killed by signal {}", program, how.substr(6));
     static const std::map<std::string, std::string> meanings{
         {"2", "wrong option"},   {"3", "wrong dictionary"}, {"4", "bad mesh"},
@@ -59,6 +61,18 @@ std::string causeOf(const std::string& state)
     const auto found = meanings.find(how);
     return format("{} ({}, status {})",
                   found == meanings.end() ? std::string("failed") : found->second, program, how);
+}
+
+std::string pastTimeLimit(const std::string& program, double seconds)
+{
+    return format("{}:timeLimit{}", program, toText(seconds));
+}
+
+double timeLimitOf(const std::string& state)
+{
+    const std::string mark = ":timeLimit";
+    const auto at = state.find(mark);
+    return at == state.npos ? 0 : readNumber(state.substr(at + mark.size())).value_or(0);
 }
 
 RunTable::RunTable(std::filesystem::path file) : file_(std::move(file))

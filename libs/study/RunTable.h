@@ -11,7 +11,7 @@ struct RunRow {
     std::string run;          ///< its name, and that of its folder
     std::string key;          ///< checksum of case and programs
     int repeat = 1;           ///< 1, 2, ...
-    std::string state = "ok"; ///< or "fpmExplicit:10", "fpmExplicit:signal9": what failed and how
+    std::string state = "ok"; ///< or "fpmExplicit:10", ":signal9", ":timeLimit60": what failed
     double wall = 0, cpu = 0; ///< of fpmExplicit [s]
     double elements = 0, steps = 0;
     double nsPerElementStep = 0;
@@ -23,6 +23,11 @@ struct RunRow {
 
 /// "numerical stop of fpmExplicit" for "fpmExplicit:10".
 std::string causeOf(const std::string& state);
+
+/// State of a run that was killed after so many seconds in `program`; and these seconds, 0 for
+/// other states.
+std::string pastTimeLimit(const std::string& program, double seconds);
+double timeLimitOf(const std::string& state);
 
 /// runs.dat: a header and one row a run. A row once added is on the disk whole, whatever happens
 /// next.

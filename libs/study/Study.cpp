@@ -6,6 +6,7 @@
 #include "study/Process.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace fpm {
@@ -67,6 +68,9 @@ const RunRow* Study::finished(std::size_t run, int repeat) const
     const auto* row = table_.find(keys_[run], repeat);
     if (row == nullptr) return nullptr;
     if (settings_.retry && !row->succeeded()) return nullptr;
+    // One that was given less time than it would have now.
+    const double given = timeLimitOf(row->state);
+    if (given > 0 && (settings_.timeLimit == 0 || settings_.timeLimit > given)) return nullptr;
     // The first repeat leaves its results; without them it counts for nothing.
     if (repeat == 1 && !fs::exists(folder_ / "runs" / row->run)) return nullptr;
     return row;
@@ -126,7 +130,9 @@ fs::path Study::prepare(std::size_t run, int repeat)
 void Study::runOne(std::size_t run, int repeat, Log& log, std::size_t number)
 {
     const auto copy = prepare(run, repeat);
-    auto row = pipeline_.run(copy, settings_.tables && repeat == 1);
+    const double limit =
+        settings_.timeLimit > 0 ? settings_.timeLimit : std::numeric_limits<double>::infinity();
+    auto row = pipeline_.run(copy, settings_.tables && repeat == 1, limit);
     row.run = runs_[run].name, row.key = keys_[run], row.repeat = repeat;
     if (repeat > 1)
         fs::remove_all(copy);

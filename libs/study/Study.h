@@ -18,6 +18,7 @@ struct StudyRun {
 
 struct StudySettings {
     int repeats = 1;
+    double timeLimit = 0;    ///< of a run, s; 0: none
     bool tables = false;     ///< fpmProbe -tables follows
     bool keepFields = false; ///< frames and meshes stay
     bool retry = false;      ///< failed runs are not taken for finished

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import time
 
-from driver.caseRun import CaseRun
+from driver.caseRun import PROJECT, CaseRun
 
 # The pulse passes the middle of the bar twice: on its way and back from the free end.
 EXACT = ("1000 * (smooth((t - 5e-6) / 4e-6) - smooth((t - 9e-6) / 4e-6)"
@@ -127,3 +127,14 @@ def check(binaries, marks):
         wrong = case.start("fpmChart")
         marks.true(f"a misspelt entry: status {wrong.returncode}, suggestion",
                    wrong.returncode == 3 and "did you mean 'refinement'?" in wrong.stdout)
+
+
+def tutorials(binaries, marks):
+    """Every chartDict that is shipped names entries, folders, histories and references of its case."""
+    for name in sorted(p.parts[-3] for p in PROJECT.glob("tutorials/*/system/chartDict")):
+        with CaseRun(f"tutorials/{name}", binaries) as case:
+            if (case.root / "makeMeshes").exists():
+                subprocess.run([case.root / "makeMeshes"], check=True)
+            told = case.run("fpmChart", "-dryRun")
+            due = [int(count) for count in re.findall(r"repeats each\), (\d+) to do", told)]
+            marks.true(f"{name}: {sum(due)} runs in {len(due)} charts", due and min(due) > 0)

@@ -4,6 +4,7 @@ import math
 import subprocess
 
 from driver.caseRun import CaseRun
+from driver.chart import rows
 from driver.curves import readTable
 from driver.gmshFile import quarterSphere
 from driver.scene import PHYSICAL, Scene, elastic
@@ -66,6 +67,20 @@ def cylinder(binaries, marks):
 def cylinderFine(binaries, marks):
     judge(binaries, marks, "0.5 mm", 0.5)
     judge(binaries, marks, "0.4 on 0.5 mm", 0.4, 0.5, 0.15)
+
+
+def order(binaries, marks):
+    """Chart `order` of the tutorial: observed order of the pressure between 1, that of the edge of the
+    contact where it falls like a root, and 2, that of the inside."""
+    with CaseRun("tutorials/hertz", binaries) as case:
+        subprocess.run([case.root / "makeMeshes"], check=True)
+        case.run("fpmChart", "-chart", "order")
+        found = rows(case, "order")
+        marks.true("no run failed", [row["state"] for row in found] == ["ok"] * 3)
+        for coarse, fine, size in zip(found, found[1:], ("1 to 0.5 mm", "0.5 to 0.25 mm")):
+            marks.within(f"F2 order of the pressure, {size}", float(fine["pressure.order"]), 0.9, 2.2)
+            marks.true("finer is better", float(fine["pressure.L2"]) < float(coarse["pressure.L2"]))
+        marks.below("error of the pressure, 0.25 mm", float(found[-1]["pressure.L2"]), 0.01)
 
 
 # Code_Aster SSNV104: ball of radius 50 mm, E 20 GPa, nu 0.3, its far plane moved by 2 mm.

@@ -109,6 +109,40 @@ TEST(SvgPlot, LeavesOutWhatALogarithmicAxisCannotShow)
     EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(SvgPlot, MakesALongTitleFit)
+{
+    const auto sizeOf = [](const std::string& title) {
+        Plot plot;
+        plot.title = title;
+        const std::string svg = svgPlot(plot);
+        const auto start = svg.rfind("font-size=\"", svg.rfind(">" + title + "<"));
+        return std::stod(svg.substr(start + 11));
+    };
+    EXPECT_EQ(sizeOf("short"), 17);
+    EXPECT_LT(sizeOf(std::string(100, 'm')), 8);
+}
+
+TEST(SvgPlot, KeepsTextsOffTheCurves)
+{
+    // A line from lower left to upper right through a mark: its text's first place, above on the
+    // right, is crossed.
+    Plot plot;
+    plot.series = {{"s", {0, 1, 2}, {0, 1, 2}}};
+    PlotMark mark;
+    mark.x = 1, mark.y = 1, mark.text = "here";
+    plot.marks = {mark};
+    const std::string svg = svgPlot(plot);
+
+    const auto text = svg.find(">here<");
+    const auto start = svg.rfind("<text x=\"", text);
+    const auto circle = svg.rfind("<circle cx=\"", text);
+    const double textX = std::stod(svg.substr(start + 9)),
+                 markX = std::stod(svg.substr(circle + 12));
+    const double textY = std::stod(svg.substr(svg.find(" y=\"", start) + 4));
+    const double markY = std::stod(svg.substr(svg.find(" cy=\"", circle) + 5));
+    EXPECT_FALSE(textX > markX && textY < markY - 2) << textX - markX << " " << textY - markY;
+}
+
 TEST(SvgPlot, ShowsMarksWithTextsThatKeepClear)
 {
     Plot plot = sinePlot(3, SeriesStyle::line);

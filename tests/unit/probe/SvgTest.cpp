@@ -29,3 +29,11 @@ TEST(Svg, CountsOneWidthForACharacterOfManyBytes)
     EXPECT_DOUBLE_EQ(textWidth("µ", 10), textWidth("u", 10));
     EXPECT_LT(textWidth("ill", 10), textWidth("www", 10));
 }
+
+TEST(Svg, DarkensColoursThatAreWeakOnWhite)
+{
+    EXPECT_EQ(readableColour("#0072B2"), "#0072B2");
+    EXPECT_EQ(readableColour("#FFFFFF"), "#7D7D7D");
+    EXPECT_EQ(readableColour("#F0E442"),
+              "#8D8627"); // brightness 213.1, so times 125 / 213.1 = 0.5865
+}

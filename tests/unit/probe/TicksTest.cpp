@@ -46,3 +46,10 @@ TEST(Ticks, EndOnAnAxisWhoseSpanIsLostInRounding)
 {
     EXPECT_LE(linearTicks(1e16, 1e16 + 4, 8).values.size(), 101u);
 }
+
+TEST(Ticks, OfAFractionOfADecadeAreEven)
+{
+    const Ticks ticks = decadeTicks(3.5, 5.5);
+
+    EXPECT_EQ(ticks.labels, (std::vector<std::string>{"3.5", "4.0", "4.5", "5.0", "5.5"}));
+}

@@ -29,6 +29,7 @@ protected:
             folder_.write(file, manual(std::filesystem::path(file).filename()));
         folder_.write("reference/exact.csv", "t,uz\n0,0\n1,2\n");
         folder_.write("variants/quarter/system/user", "");
+        folder_.write("variants/whole/system/user", "");
     }
     static std::string manual(const std::string& name) { return test::readBytes(manuals / name); }
     std::vector<ChartSpec> read(const std::string& text) const
@@ -58,13 +59,14 @@ TEST_F(ChartDictTest, TheAnnotatedDictionaryReadsAsItStands)
     const auto charts = read(manual("chartDict"));
 
     ASSERT_EQ(charts.size(), 1u);
-    EXPECT_EQ(charts[0].ladders.size(), 3u);
+    EXPECT_EQ(charts[0].ladders.size(), 4u);
     EXPECT_EQ(charts[0].probes.size(), 4u);
     EXPECT_TRUE(charts[0].settings.tables);
-    EXPECT_EQ(productOf(charts[0].ladders).rungs.size(), 12u);
-    EXPECT_EQ(productOf(charts[0].ladders).lines.size(), 4u);
-    EXPECT_EQ(eachOf(charts[0].ladders).rungs.size(), 7u);
-    EXPECT_EQ(eachOf(charts[0].ladders).lines.size(), 3u);
+    EXPECT_EQ(charts[0].settings.timeLimit, 600);
+    EXPECT_EQ(productOf(charts[0].ladders).rungs.size(), 24u);
+    EXPECT_EQ(productOf(charts[0].ladders).lines.size(), 8u);
+    EXPECT_EQ(eachOf(charts[0].ladders).rungs.size(), 9u);
+    EXPECT_EQ(eachOf(charts[0].ladders).lines.size(), 4u);
 }
 
 TEST_F(ChartDictTest, TheAnnotatedDictionaryShowsEveryKeyTheReaderAsksFor)
@@ -127,7 +129,7 @@ TEST_F(ChartDictTest, TakesEntriesThatOnlyTheManualKnows)
         "probes { p { file \"postProcessing/f/0/energies.dat\"; y total; reference { finest a; } } "
         "} } }");
 
-    EXPECT_EQ(charts[0].ladders[2].path, "pairs.mine.normalScale");
+    EXPECT_EQ(charts[0].ladders[2].changes[0][0].path, "pairs.mine.normalScale");
     EXPECT_FALSE(charts[0].settings.tables);
     EXPECT_TRUE(contains(answer("entry contactDict.pairs.mine.normalSkale; values (1);"),
                          "did you mean 'normalScale'?"));
@@ -141,6 +143,75 @@ TEST_F(ChartDictTest, RefusesLaddersWithoutSense)
         contains(answer("entry meshDict.refinement; values (1 fine);"), "needs values > 0"));
     EXPECT_TRUE(contains(answer("overlay (none \"variants/half\");"), "no folder 'variants/half'"));
     EXPECT_TRUE(contains(answer("overlay (\"../other\");"), "leads upwards"));
+}
+
+TEST_F(ChartDictTest, SetsSeveralEntriesTogetherUnderAName)
+{
+    const auto charts = read(
+        "charts { c { fixed { one { entry contactDict.surfaces.wall.normal; value (0 0 2); } "
+        "quarter { overlay \"variants/quarter\"; } } ladders { "
+        "form { entries (partProperties.parts.plate1.hourglass.form "
+        "partProperties.parts.plate1.hourglass.coefficient); "
+        "values ((viscous 0.1) (physical 1)); names (viscous physical); } "
+        "mesh { overlay (none \"variants/quarter\"); names (2 \"0.5 mm\"); steps (2 0.5); } } "
+        "probes { p { file \"postProcessing/tip/0/U.dat\"; y U_z; reference { finest mesh; } } } } "
+        "}");
+
+    const auto& form = charts[0].ladders[0];
+    EXPECT_EQ(form.values, (std::vector<std::string>{"viscous", "physical"}));
+    ASSERT_EQ(form.changes[1].size(), 2u);
+    EXPECT_EQ(form.changes[1][0].value, "physical");
+    EXPECT_EQ(form.changes[1][1].path, "parts.plate1.hourglass.coefficient");
+    EXPECT_EQ(form.changes[1][1].value, "1");
+    EXPECT_TRUE(form.steps.empty());
+    EXPECT_EQ(charts[0].ladders[1].steps, (std::vector<double>{2, 0.5}));
+    EXPECT_TRUE(charts[0].ladders[1].changes[0].empty());
+    EXPECT_EQ(productOf(charts[0].ladders).rungs[3].label, "form physical, mesh 0.5 mm");
+    ASSERT_EQ(charts[0].fixed.size(), 2u);
+    EXPECT_EQ(charts[0].fixed[0].overlay, "variants/quarter") << "folders come first";
+    EXPECT_EQ(charts[0].fixed[1].value, "(0 0 2)");
+}
+
+TEST_F(ChartDictTest, KnowsTheEntriesThatAFixedFolderBrings)
+{
+    folder_.write("variants/quarter/system/meshDict", "cells 4;\nbodies { }\n");
+    const std::string rest = "probes { p { file \"postProcessing/tip/0/U.dat\"; y U_z; "
+                             "reference { expression \"t\"; } } } } }";
+    const std::string ladders = "ladders { n { entry meshDict.cells; values (4 8); } } ";
+
+    EXPECT_EQ(
+        read("charts { c { fixed { q { overlay \"variants/quarter\"; } } " + ladders + rest).size(),
+        1u);
+    EXPECT_TRUE(contains(refusal([&] { read("charts { c { " + ladders + rest); }),
+                         "system/meshDict knows no 'cells'"));
+}
+
+TEST_F(ChartDictTest, RefusesRowsNamesAndStepsThatAreNotOneAValue)
+{
+    const std::string two = "entries (controlDict.precision controlDict.threads); ";
+    EXPECT_TRUE(
+        contains(answer(two + "values ((double 1) single);"), "'single' is no row of 2 values"));
+    EXPECT_TRUE(contains(answer(two + "values ((double 1 2));"), "is no row of 2 values"));
+    EXPECT_TRUE(contains(answer("entries (controlDict.precison); values ((double));"),
+                         "did you mean 'precision'?"));
+    EXPECT_TRUE(contains(answer(fine + "names (a);"), "1 names for 2 values"));
+    EXPECT_TRUE(contains(answer(fine + "names (a a);"), "stands here twice"));
+    EXPECT_TRUE(contains(answer(fine + "steps (1 0.5 0.2);"), "3 steps for 2 values"));
+    EXPECT_TRUE(contains(answer(fine + "steps (1 0);"), "steps are > 0"));
+    EXPECT_TRUE(
+        contains(refusal([&] {
+                     read("charts { c { fixed { n { entry controlDict.thread; value 1; } } } }");
+                 }),
+                 "did you mean 'threads'?"));
+}
+
+TEST_F(ChartDictTest, RefusesWidthsAndLimitsBelowZero)
+{
+    EXPECT_TRUE(
+        contains(refusal([&] { read("charts { c { runTimeLimit -1; } }"); }), "'runTimeLimit'"));
+    EXPECT_TRUE(contains(answer(fine, "file \"postProcessing/tip/0/U.dat\"; y U_z; average -1; "
+                                      "reference { expression \"t\"; }"),
+                         "'average'"));
 }
 
 TEST_F(ChartDictTest, RefusesProbesThatNothingWrites)

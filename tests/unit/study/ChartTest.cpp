@@ -111,6 +111,7 @@ TEST_F(ChartTest, TakesTheFinestRungItselfWhereThereIsNoOrder)
     EXPECT_NEAR(std::stod(cell("n_2", "tip.final")), 0.1875 / 1.0625, 1e-5);
     EXPECT_EQ(cell("n_4", "tip.L2"), "0");
     EXPECT_TRUE(contains(log, "n 4 (the reference itself)"));
+    EXPECT_TRUE(contains(result("tip.svg"), "difference of tip to n 4"));
     EXPECT_TRUE(contains(log, "the finest rung, n 4, whose own error is not known"));
 }
 
@@ -148,14 +149,54 @@ TEST_F(ChartTest, NamesTheColumnsAndFilesARunHas)
         "there are displacement.dat"));
 }
 
+TEST_F(ChartTest, SetsInAllRunsWhatIsFixedAndTellsTheOrderOfGivenSteps)
+{
+    folder_.write("half/system/controlDict", "n 2;\nm 0;\nfunctions { tip { type point; } }\n");
+    const auto file = folder_.root() / "log";
+    Log log(file);
+    runCharts(Case(folder_.root()),
+              Dictionary::parse("charts { c { cost elementSteps; fixed { half { overlay half; } } "
+                                "ladders { n { entries (controlDict.n controlDict.m); "
+                                "values ((2 7) (4 7)); names (coarse fine); steps (0.5 0.25); } } "
+                                "probes { tip { file \"postProcessing/tip/0/displacement.dat\"; "
+                                "y y; reference { expression \"t\"; } } } } }",
+                                "chartDict"),
+              {}, Pipeline(programs_.path()), log);
+
+    EXPECT_EQ(folder_.read("postProcessing/chart/c/runs/n_fine/system/controlDict").substr(0, 11),
+              "n 4;\nm 7;\nf");
+    EXPECT_NEAR(std::stod(cell("n_fine", "tip.order")), 2, 1e-3);
+    EXPECT_TRUE(contains(result("tip.svg"), ">fine<"));
+}
+
 TEST_F(ChartTest, ShowsOtherPrograms)
 {
     chart("1 2", "expression \"t\";",
           "foreign { rival { cost 12; error 0.03; note \"two cores\"; } "
-          "hidden { cost 12; error 0.03; probe tip; } }");
+          "hidden { cost 12; error 0.03; probe tip; } third { cost 7; errors { tip 0.25; } } }");
 
     EXPECT_TRUE(contains(result("tip.svg"), "rival, two cores"));
     EXPECT_TRUE(contains(result("tip.svg"), "other programs"));
+    EXPECT_TRUE(contains(result("chart.dat"), "# other program third: cost 7, tip 0.25"));
+    EXPECT_TRUE(contains(test::refusal([&] {
+                             chart("1 2", "expression \"t\";",
+                                   "foreign { third { cost 7; errors { top 0.25; } } }");
+                         }),
+                         "unknown keyword 'top'"));
+}
+
+TEST_F(ChartTest, HoldsTheCurveOfAnotherProgramAgainstTheSameReference)
+{
+    folder_.write("reference/rival.csv", "t,y\n0,0.1\n1,1.1\n");
+    chart("1 2", "expression \"t\";",
+          "foreign { rival { cost 12; file \"reference/rival.csv\"; x t; y y; probe tip; } }");
+
+    // 0.1 over the root mean square of t by the trapezoid over its two points, 1/2.
+    EXPECT_TRUE(contains(result("chart.dat"), "# other program rival: cost 12, tip 0.1414"));
+    EXPECT_TRUE(contains(result("tip.svg"), ">rival<"));
+    const auto refused = test::refusal(
+        [&] { chart("1 2", "expression \"t\";", "foreign { rival { cost 12; probe tip; } }"); });
+    EXPECT_TRUE(contains(refused, "has one of error, errors and file"));
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeats)

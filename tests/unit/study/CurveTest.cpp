@@ -136,3 +136,27 @@ TEST(Convergence, ExtrapolatesToTheExactCurve)
     for (std::size_t i = 0; i < estimate.t.size(); ++i)
         EXPECT_NEAR(estimate.y[i], std::sin(estimate.t[i]), 1e-14);
 }
+
+TEST(PerLength, MakesADensityOfTheSharesOfNodes)
+{
+    // A load of 6 per length on places 0, 1, 3, each with a node in front and one behind.
+    const Curve shares{{0, 0, 1, 1, 3, 3}, {1, 2, 5, 4, 2, 4}};
+    const Curve load = perLength(shares);
+    EXPECT_EQ(load.t, (std::vector<double>{0, 1, 3}));
+    EXPECT_EQ(load.y, (std::vector<double>{6, 6, 6}));
+    EXPECT_TRUE(perLength({{1, 1}, {2, 2}}).t.empty());
+}
+
+TEST(Averaged, IsTheMeanOfAWindow)
+{
+    // y = t^2 by straight lines of 0.01: its mean over a window w is t^2 + w^2 / 12.
+    Curve curve;
+    for (int i = 0; i <= 200; ++i) {
+        curve.t.push_back(0.01 * i);
+        curve.y.push_back(curve.t.back() * curve.t.back());
+    }
+    const Curve mean = averaged(curve, 0.3);
+    EXPECT_NEAR(mean.y[100], 1 + 0.09 / 12, 2e-5);
+    EXPECT_NEAR(mean.y[200], (8 - 1.85 * 1.85 * 1.85) / 3 / 0.15, 2e-5) << "half a window";
+    EXPECT_EQ(averaged({{1}, {5}}, 0.3).y, (std::vector<double>{5}));
+}

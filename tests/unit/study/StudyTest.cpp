@@ -218,3 +218,25 @@ TEST_F(StudyTest, RefusesAnEntryThatIsADictionaryBeforeAnythingRuns)
                  InputError);
     EXPECT_EQ(programs_.calls(), "");
 }
+
+TEST_F(StudyTest, EndsARunAtItsTimeLimit)
+{
+    // n 4 hangs; the others end at once.
+    programs_.write("fpmExplicit",
+                    "#!/bin/sh\necho \"fpmExplicit\" >> \"$(dirname \"$0\")/called\"\n"
+                    "grep -q '^n 4;' system/controlDict && exec sleep 60\n"
+                    "mkdir -p postProcessing/tip/0\n");
+    auto limited = study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 0.3});
+    run(limited);
+
+    ASSERT_EQ(limited.rows(1).size(), 1u) << "not repeated";
+    EXPECT_EQ(limited.rows(1)[0].state, "fpmExplicit:timeLimit0.3");
+    EXPECT_EQ(causeOf(limited.rows(1)[0].state), "time limit of 0.3 s (fpmExplicit)");
+    EXPECT_GE(limited.rows(1)[0].wall, 0.2);
+    EXPECT_LT(limited.rows(1)[0].wall, 30);
+    EXPECT_TRUE(limited.rows(2)[0].succeeded());
+    EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 0.3}).toDo(), 0u);
+    EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 0.2}).toDo(), 0u);
+    EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 1}).toDo(), 2u) << "more time now";
+    EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2}).toDo(), 2u);
+}
