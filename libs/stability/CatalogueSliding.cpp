@@ -1,0 +1,10 @@
+#include "stability/CatalogueScenes.h"
+
+namespace fpm {
+
+std::vector<Failure> slidingFailures()
+{
+    return {};
+}
+
+} // namespace fpm
