@@ -254,7 +254,7 @@ std::vector<Failure> searchFailures()
          .remedy = "one mesh with shared nodes",
          .note =
              "default: nodes nearer to the seam than they are deep (15 of 375) are held by both "
-             "bodies; paper: they and others by none",
+             "bodies; paper: those whose closest particle is taken from the other body by none",
          .run =
              [](Way way) {
                  return Measure{forceError(meshSeam(way == Way::remedy), way), {}};
