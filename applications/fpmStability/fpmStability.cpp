@@ -24,7 +24,14 @@ int main(int argc, char** argv)
     return fpm::runApplication(info, argc, argv, [](fpm::Run& run) {
         const int cores = std::max(1, int(std::thread::hardware_concurrency()));
         const auto threads = run.integer("threads", 1, 4096);
-        if (run.has("catalogue"))
+        const bool catalogue = run.has("catalogue");
+        for (const char* option : {"scenes", "to", "map"})
+            if (run.has(option) && catalogue == (std::string_view(option) == "map"))
+                throw fpm::Error(
+                    fpm::ExitCode::commandLine,
+                    std::string("option -") + option
+                        + (catalogue ? " has no meaning with -catalogue" : " needs -catalogue"));
+        if (catalogue)
             fpm::runCatalogue(run, run.value("scenes").value_or(""), run.value("to").value_or(""),
                               int(threads.value_or(cores)));
         else

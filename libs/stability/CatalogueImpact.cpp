@@ -213,7 +213,7 @@ std::vector<Failure> impactFailures()
          .atLeast = true,
          .reason = "a step no longer than a wave's way through an element",
          .remedy = "the step bounds the way; searches while the lists last",
-         .note = "",
+         .note = "both search in time; what fails first is the depth at which a node is found",
          .run = fastBrick},
         {.number = 9,
          .name = "thinLayers",
@@ -222,7 +222,6 @@ std::vector<Failure> impactFailures()
          .limit = 0.5,
          .reason = "half a layer: beyond it the other side is nearer",
          .remedy = "pairs know their sides; nodes are followed, not found again",
-         .note = "",
          .run = thinLayers},
         {.number = 14,
          .name = "cornerOfWalls",
@@ -232,7 +231,7 @@ std::vector<Failure> impactFailures()
          .atLeast = true,
          .reason = "elastic walls give back most; a violated one nothing",
          .remedy = "one pair a wall, or general contact",
-         .note = "",
+         .note = "one body as all three walls: ContactScenes and SignedGap tests",
          .run = cornerOfWalls},
         {.number = 17,
          .name = "penaltySweep",
@@ -242,7 +241,7 @@ std::vector<Failure> impactFailures()
          .atLeast = true,
          .reason = "2 / sqrt(omega_e^2 + omega_c^2) is a bound",
          .remedy = "the automatic step counts the springs",
-         .note = "",
+         .note = "so much is the bound on the safe side",
          .run = penaltySweep},
         {.number = 22,
          .name = "freeImpact",
@@ -251,7 +250,6 @@ std::vector<Failure> impactFailures()
          .limit = 1e-12,
          .reason = "conservation",
          .remedy = "the contactor's force is minus the exact sum of its face's",
-         .note = "",
          .run =
              [](Way way) {
                  return momentumChange(inWay(freeBlocks(0.3), way),
@@ -264,7 +262,6 @@ std::vector<Failure> impactFailures()
          .limit = 1e-11,
          .reason = "conservation",
          .remedy = "the force acts along the line to its foot",
-         .note = "",
          .run = [](Way way) { return momentumChange(inWay(freeBlocks(0), way), angularMomentum); }},
         {.number = 27,
          .name = "repeatedRun",
@@ -273,7 +270,6 @@ std::vector<Failure> impactFailures()
          .limit = 0,
          .reason = "equal bits",
          .remedy = "forces are summed as integers",
-         .note = "",
          .run = repeatedRun},
     };
 }

@@ -236,7 +236,6 @@ std::vector<Failure> pressingFailures()
          .limit = 0.01,
          .reason = "layers and springs in series",
          .remedy = "the springs' share is known before the run: s_n by wanted depth",
-         .note = "",
          .run = layerStack},
         {.number = 18,
          .name = "slowPressing",
@@ -245,7 +244,6 @@ std::vector<Failure> pressingFailures()
          .limit = 0.01,
          .reason = "elastic bodies pressed slowly: force goes with travel",
          .remedy = "none needed; contact damping exists",
-         .note = "",
          .run = slowPressing},
     };
 }
