@@ -179,8 +179,8 @@ private:
         evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
         const Vec3<Work> trimmed = offset - at.offset; // what lies beyond where the surface ends
         if (!(dot(trimmed, trimmed) > 0) && !isOnRim(origin)) return {0, 0, 0};
-        const FaceFrame<Work> frame(corners);
-        return inPlane(offset, frame.normal) - offsetBefore(i, origin);
+        const Vec3<Work> normal = unit(cross(t1, t2));
+        return inPlane(offset, normal) - offsetBefore(i, origin);
     }
     /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
     FPM_KERNEL Vec3<Work> offsetBefore(Index i, const Origin& origin) const
@@ -195,8 +195,10 @@ private:
         }
         Vec3<Work> offset, t1, t2;
         evaluateFace(before, origin.xi, origin.eta, offset, t1, t2);
-        const FaceFrame<Work> frame(now), old(before);
-        return frame.vector(old.components(inPlane(offset, old.normal), old.normal), frame.normal);
+        const Vec3<Work> normal = unit(cross(t1, t2)), inside = inPlane(offset, normal);
+        evaluateFace(now, origin.xi, origin.eta, offset, t1, t2);
+        return FaceFrame<Work>(now).vector(FaceFrame<Work>(before).components(inside, normal),
+                                           unit(cross(t1, t2)));
     }
 
     /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The
