@@ -116,7 +116,7 @@ void logBanner(Run& run, int argc, char** argv)
     log.line(format("Date   : {}", utcDate()));
     log.line(format("Host   : {}", hostName()));
     log.line(format("PID    : {}", processNumber()));
-    log.line(format("Case   : {}", run.theCase.root().string()));
+    if (!run.theCase.root().empty()) log.line(format("Case   : {}", run.theCase.root().string()));
     log.line();
 }
 
@@ -180,11 +180,13 @@ int runApplication(const ApplicationInfo& info,
         auto options = parseCommandLine(info, argc, argv);
         if (answerQuestion(info, options, terminal)) return int(ExitCode::success);
 
-        const Case theCase(valueOr(options, "case", "."));
-        if (info.locksCase) lock.emplace(theCase.root(), info.name);
+        const bool caseless = !info.caseless.empty() && isGiven(options, info.caseless);
+        const Case theCase = caseless ? Case::none() : Case(valueOr(options, "case", "."));
+        if (info.locksCase && !caseless) lock.emplace(theCase.root(), info.name);
         if (!isGiven(options, "dict") && !info.dictionary.empty())
             options.emplace_back("dict", info.dictionary);
-        run.emplace(theCase, isGiven(options, "noLog") ? Log() : openLog(theCase, info), options);
+        run.emplace(theCase, isGiven(options, "noLog") || caseless ? Log() : openLog(theCase, info),
+                    options);
 
         logBanner(*run, argc, argv);
         body(*run);

@@ -21,6 +21,7 @@ struct ApplicationInfo {
     std::string dictionary;      ///< default of -dict: "system/meshDict"; may be empty
     std::vector<Option> options; ///< beyond the common ones
     bool locksCase = false;      ///< takes the case lock before any file is touched (writers do)
+    std::string caseless = "";   ///< the option with which it needs no case, if there is one
 };
 
 /// What an application works with: its case, its options, its log.

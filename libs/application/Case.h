@@ -14,6 +14,8 @@ class Case
 public:
     /// Throws Error(commandLine) when `root` has no system/controlDict and no system/meshDict.
     explicit Case(std::filesystem::path root);
+    /// No folder: for what an application does without one. Its root is empty.
+    static Case none() { return Case(); }
 
     const std::filesystem::path& root() const { return root_; }
     std::filesystem::path path(std::string_view relative) const { return root_ / relative; }
@@ -24,6 +26,8 @@ public:
     std::filesystem::path inside(std::string_view relative) const;
 
 private:
+    Case() = default;
+
     std::filesystem::path root_;
 };
 

@@ -69,6 +69,13 @@ Log Log::quiet()
     return log;
 }
 
+Log Log::into(std::string& text)
+{
+    Log log = quiet();
+    log.text_ = &text;
+    return log;
+}
+
 void Log::line(std::string_view text)
 {
     write({}, text);
@@ -121,6 +128,7 @@ void Log::write(std::string_view label, std::string_view text)
 
 void Log::writeToFile(std::string_view text)
 {
+    if (text_) text_->append(text).append("\n");
     if (!file_.is_open()) return;
     file_.clear();
     file_ << text << '\n' << std::flush;

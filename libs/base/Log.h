@@ -17,6 +17,7 @@ public:
     Log() = default;                                 ///< terminal only
     explicit Log(const std::filesystem::path& file); ///< terminal and file (truncated)
     static Log quiet();                              ///< neither; for tests
+    static Log into(std::string& text); ///< neither; adds its lines to `text`, which outlives it
 
     void line(std::string_view text = "");
     /// "warning: ..."; the same text is printed at most 10 times, then counted.
@@ -35,6 +36,7 @@ private:
     void endProgress();
 
     std::ofstream file_;
+    std::string* text_ = nullptr;
     int lostLines_ = 0;
     bool terminal_ = true;
     bool progressOpen_ = false;

@@ -225,11 +225,15 @@ setGeneral(const Mesh& mesh, const PairEntry& entry, const std::vector<bool>& ri
 
 void setContact(Mesh& mesh, const Dictionary& contactDict, const Case& theCase, Log& log)
 {
-    const ContactEntries entries = readContactEntries(contactDict);
     std::vector<bool> rigid(mesh.parts.size(), false);
     if (theCase.hasFile("constant/partProperties"))
         rigid = readRigidParts(theCase.dictionary("constant/partProperties"), mesh);
+    setContact(mesh, contactDict, rigid, log);
+}
 
+void setContact(Mesh& mesh, const Dictionary& contactDict, const std::vector<bool>& rigid, Log& log)
+{
+    const ContactEntries entries = readContactEntries(contactDict);
     std::vector<ContactSurfaces> pairs;
     for (const PairEntry& entry : entries.pairs)
         pairs.push_back(setPair(mesh, entries, entry, rigid, contactDict, log));

@@ -7,13 +7,13 @@ namespace fpm {
 
 namespace {
 
-void applyToParts(Model& model,
-                  const Dictionary& control,
-                  const Dictionary& parts,
-                  std::vector<std::string>& overridden)
+void checkParts(const Model& model,
+                const Dictionary& control,
+                const Dictionary& parts,
+                std::vector<std::string>& overridden)
 {
     const Dictionary entries = parts.sub("parts");
-    for (Part& part : model.parts) {
+    for (const Part& part : model.parts) {
         if (isRigid(part.kind)) continue;
         if (part.hexahedron == HexahedronForm::selective)
             control.fail("algorithm",
@@ -23,16 +23,15 @@ void applyToParts(Model& model,
         const Lineage lineage = lineageOf(entries, part.name);
         if (holder(lineage, "rotation").has("rotation") && part.rotation != RotationForm::arcsine)
             overridden.push_back("rotation of part " + part.name);
-        part.rotation = RotationForm::arcsine;
     }
 }
 
-void applyToPairs(Model& model,
-                  const Dictionary& control,
-                  const Dictionary& contact,
-                  std::vector<std::string>& overridden)
+void checkPairs(const Model& model,
+                const Dictionary& control,
+                const Dictionary& contact,
+                std::vector<std::string>& overridden)
 {
-    for (ContactPair& pair : model.contactPairs) {
+    for (const ContactPair& pair : model.contactPairs) {
         if (pair.surface >= 0) continue; // exact, nothing to search
         if (pair.kind != ContactKind::pair)
             control.fail("algorithm",
@@ -47,17 +46,25 @@ void applyToPairs(Model& model,
         };
         note("search", pair.search != ContactSearch::closestParticle);
         note("projection", pair.projection != ContactProjection::cold);
-        pair.search = ContactSearch::closestParticle;
-        pair.projection = ContactProjection::cold;
-        if (pair.friction > 0) {
-            if (entry.isDictionary("friction") && !pair.paperFriction)
-                overridden.push_back("friction form of pair " + pair.name);
-            pair.paperFriction = true;
-        }
+        if (pair.friction > 0 && entry.isDictionary("friction") && !pair.paperFriction)
+            overridden.push_back("friction form of pair " + pair.name);
     }
 }
 
 } // namespace
+
+void takePaperForms(Model& model)
+{
+    model.control.midStepStrain = false;
+    for (Part& part : model.parts)
+        if (!isRigid(part.kind)) part.rotation = RotationForm::arcsine;
+    for (ContactPair& pair : model.contactPairs) {
+        if (pair.surface >= 0) continue; // exact, nothing to search
+        pair.search = ContactSearch::closestParticle;
+        pair.projection = ContactProjection::cold;
+        if (pair.friction > 0) pair.paperFriction = true;
+    }
+}
 
 void applyPaperAlgorithm(Model& model,
                          const Dictionary& control,
@@ -68,9 +75,9 @@ void applyPaperAlgorithm(Model& model,
     std::vector<std::string> overridden;
     if (control.has("strainGeometry") && model.control.midStepStrain)
         overridden.push_back("strainGeometry");
-    model.control.midStepStrain = false;
-    applyToParts(model, control, parts, overridden);
-    applyToPairs(model, control, contact, overridden);
+    checkParts(model, control, parts, overridden);
+    checkPairs(model, control, contact, overridden);
+    takePaperForms(model);
     for (const std::string& entry : overridden) log.warning("algorithm paper overrides " + entry);
     log.line(
         "algorithm of the paper, for comparison: rotation arcsin, strainGeometry start, search "

@@ -16,4 +16,7 @@ void applyPaperAlgorithm(Model& model,
                          const Dictionary& contact,
                          Log& log);
 
+/// The same choices in a model that comes from no dictionary.
+void takePaperForms(Model& model);
+
 } // namespace fpm

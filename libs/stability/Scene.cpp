@@ -1,9 +1,7 @@
 #include "stability/Scene.h"
 
-#include "mesh/Patches.h"
-#include "mesh/Surface.h"
 #include "mesh/addBox.h"
-#include "model/NodeSelection.h"
+#include "stability/SceneTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,57 +10,14 @@ namespace fpm {
 
 namespace {
 
-// Units: mm, tonne, s. Aluminium of the plate scene.
-constexpr double aluminiumDensity = 2.7e-9, young = 70000, poisson = 0.3;
-constexpr double waveSpeed = 5.9e6;
+constexpr double waveSpeed = 5.9e6; // of aluminium, mm/s
 
 Part partOf(const std::string& name, double densityRatio = 1, double stiffnessRatio = 1)
 {
-    Part part;
-    part.name = name;
-    part.density = aluminiumDensity * densityRatio;
-    part.youngsModulus = young * stiffnessRatio;
-    part.poissonsRatio = poisson;
-    part.hourglass = HourglassForm::stiffness;
+    Part part = aluminiumPart(name);
+    part.density *= densityRatio;
+    part.youngsModulus *= stiffnessRatio;
     return part;
-}
-
-std::vector<ElementSide> facing(const Mesh& mesh, const std::string& part, int axis, double sense)
-{
-    std::vector<ElementSide> chosen;
-    for (const ElementSide& side : skin(mesh, mesh.findPart(part)))
-        if (sense * normal(mesh, side)[std::size_t(axis)] > 0.7) chosen.push_back(side);
-    return chosen;
-}
-
-void finish(Model& model)
-{
-    renumber(model.mesh);
-    model.control.backend = "serial";
-    model.control.endTime = 1;
-}
-
-ContactPair& touch(Model& model,
-                   const std::string& name,
-                   const std::vector<ElementSide>& contactor,
-                   const std::vector<ElementSide>& target)
-{
-    ContactPair pair;
-    pair.name = name;
-    pair.contactorNodes = nodesOf(model.mesh, contactor);
-    pair.targetSides = target;
-    model.mesh.contact.push_back({name, pair.contactorNodes, contactor, target});
-    model.contactPairs.push_back(pair);
-    return model.contactPairs.back();
-}
-
-void throwPart(Model& model, Index part, Point velocity)
-{
-    InitialVelocity initial;
-    initial.name = "throw";
-    initial.nodes = nodesOfPart(model.mesh, part);
-    initial.velocity = velocity;
-    model.initialVelocities.push_back(initial);
 }
 
 void watch(Trial& trial, const ContactPair& pair, double depth)
@@ -88,12 +43,12 @@ Trial twoBars(const Setting& set)
            {0, 0, set.of(parameter::gap, 0)}, {2, 2, 12});
     model.parts = {partOf("lower"),
                    partOf("upper", set.of(parameter::density, 1), set.of(parameter::stiffness, 1))};
-    finish(model);
-    throwPart(model, 1, {0, 0, -1e-3 * waveSpeed});
-    watch(
-        trial,
-        touch(model, "ends", facing(model.mesh, "upper", 2, -1), facing(model.mesh, "lower", 2, 1)),
-        0.5);
+    finishScene(model);
+    throwPart(model, "upper", {0, 0, -1e-3 * waveSpeed});
+    watch(trial,
+          addContact(model, "ends", facing(model.mesh, "upper", {0, 0, -1}),
+                     facing(model.mesh, "lower", {0, 0, 1})),
+          0.5);
     return trial;
 }
 
@@ -108,10 +63,10 @@ Trial twoBlocks(const Setting& set)
            {0, 0, 0}, {5, 4, 4});
     model.parts = {partOf("lower"),
                    partOf("upper", set.of(parameter::density, 1), set.of(parameter::stiffness, 1))};
-    finish(model);
-    throwPart(model, 1, {2e-4 * waveSpeed, 1e-4 * waveSpeed, -1e-3 * waveSpeed});
-    ContactPair& pair = touch(model, "touch", facing(model.mesh, "upper", 2, -1),
-                              facing(model.mesh, "lower", 2, 1));
+    finishScene(model);
+    throwPart(model, "upper", {2e-4 * waveSpeed, 1e-4 * waveSpeed, -1e-3 * waveSpeed});
+    ContactPair& pair = addContact(model, "touch", facing(model.mesh, "upper", {0, 0, -1}),
+                                   facing(model.mesh, "lower", {0, 0, 1}));
     pair.friction = 0.3;
     watch(trial, pair, 0.5);
     return trial;
@@ -125,7 +80,7 @@ Trial spinningBlock(const Setting& set)
     const double height = 4 / set.of(parameter::aspect, 1);
     addBox(model.mesh, "block", {4, 4, 4}, {-2, -2, -height / 2}, {4, 4, height});
     model.parts = {partOf("block")};
-    finish(model);
+    finishScene(model);
     InitialVelocity spin;
     spin.name = "spin";
     spin.nodes = nodesOfPart(model.mesh, 0);
@@ -154,11 +109,11 @@ Trial slidingCorner(const Setting& set)
     addBox(model.mesh, "lower", {6, 6, 2}, {0, 0, -2}, {6, 6, 2});
     addBox(model.mesh, "upper", {fine, fine, fine}, {3.3, 1.2, 0}, {4, 3.6, 3});
     model.parts = {partOf("lower"), partOf("upper")};
-    finish(model);
-    throwPart(model, 1, {2e-3 * waveSpeed, 3e-4 * waveSpeed, -5e-4 * waveSpeed});
+    finishScene(model);
+    throwPart(model, "upper", {2e-3 * waveSpeed, 3e-4 * waveSpeed, -5e-4 * waveSpeed});
     // The whole skin of the lower block: the corner of the upper one meets its edge.
-    ContactPair& pair = touch(model, "corner", facing(model.mesh, "upper", 2, -1),
-                              skin(model.mesh, model.mesh.findPart("lower")));
+    ContactPair& pair = addContact(model, "corner", facing(model.mesh, "upper", {0, 0, -1}),
+                                   skin(model.mesh, model.mesh.findPart("lower")));
     pair.friction = 0.3;
     return trial;
 }
@@ -176,16 +131,16 @@ Trial thinLayers(const Setting& set)
     }
     addBox(model.mesh, "striker", {3, 3, 3}, {2.6, 2.6, 0}, {3, 3, 3});
     model.parts.push_back(partOf("striker", 2.9, 3));
-    finish(model);
-    throwPart(model, 3, {0, 0, -1e-3 * waveSpeed});
+    finishScene(model);
+    throwPart(model, "striker", {0, 0, -1e-3 * waveSpeed});
     watch(trial,
-          touch(model, "strike", facing(model.mesh, "striker", 2, -1),
-                facing(model.mesh, "layer1", 2, 1)),
+          addContact(model, "strike", facing(model.mesh, "striker", {0, 0, -1}),
+                     facing(model.mesh, "layer1", {0, 0, 1})),
           0.5 * thickness);
     for (int layer = 1; layer < 3; ++layer)
-        touch(model, "between" + std::to_string(layer),
-              facing(model.mesh, "layer" + std::to_string(layer), 2, -1),
-              facing(model.mesh, "layer" + std::to_string(layer + 1), 2, 1));
+        addContact(model, "between" + std::to_string(layer),
+                   facing(model.mesh, "layer" + std::to_string(layer), {0, 0, -1}),
+                   facing(model.mesh, "layer" + std::to_string(layer + 1), {0, 0, 1}));
     return trial;
 }
 
@@ -200,7 +155,7 @@ Trial compressedBillet(const Setting& set)
     part.kind = PartKind::elastoplastic;
     part.hardening = {{0, 285}, {1, 1185}};
     model.parts = {part};
-    finish(model);
+    finishScene(model);
     const double speed = 2e-3 * waveSpeed * set.of(parameter::speed, 1);
     for (const double sense : {1.0, -1.0}) {
         RigidSurface plane;
@@ -211,7 +166,7 @@ Trial compressedBillet(const Setting& set)
         plane.motion = RigidSurface::Motion::velocity;
         plane.value = {0, 0, -sense * speed};
         model.rigidSurfaces.push_back(plane);
-        const auto sides = facing(model.mesh, "billet", 2, sense);
+        const auto sides = facing(model.mesh, "billet", {0, 0, sense});
         ContactPair pair;
         pair.name = plane.name;
         pair.contactorNodes = nodesOf(model.mesh, sides);

@@ -1,8 +1,11 @@
-"""Maps of tutorials/bar: no point that is predicted to be stable fails; a killed map goes on."""
+"""Maps of tutorials/bar: no point that is predicted to be stable fails; a killed map goes on. The
+catalogue of failures, from a folder that is no case."""
 
 import os
+import pathlib
 import signal
 import subprocess
+import tempfile
 import time
 
 from driver.caseRun import CaseRun
@@ -12,7 +15,28 @@ def maps(case):
     return sorted((case.root / "postProcessing/stability").glob("*.dat"))
 
 
+def catalogue(binaries, marks):
+    def run(*options):
+        return subprocess.run([pathlib.Path(binaries).resolve() / "fpmStability", *options],
+                              cwd=folder, text=True, capture_output=True)
+
+    with tempfile.TemporaryDirectory() as folder:
+        done = run("-catalogue", "-scenes", "F1,rigidOnRigid", "-to", "found")
+        marks.true("two scenes of the catalogue",
+                   done.returncode == 0 and "2 scenes, all as expected" in done.stdout)
+        marks.true("its files and nothing else",
+                   [str(f.relative_to(folder)) for f in sorted(pathlib.Path(folder).rglob("*.*"))]
+                   == [f"found/failures.{kind}" for kind in ("dat", "md", "svg")])
+        wrong = run("-catalogue", "-scenes", "grooveNod")
+        marks.true("a slip of the pen in a scene's name",
+                   wrong.returncode == 2 and "did you mean 'grooveNode'?" in wrong.stderr)
+        marks.true("scenes without catalogue are refused",
+                   run("-scenes", "F1", "-case", pathlib.Path("tutorials/bar").resolve(),
+                       "-noLog").returncode == 2)
+
+
 def check(binaries, marks):
+    catalogue(binaries, marks)
     with CaseRun("tutorials/bar", binaries) as case:
         running = subprocess.Popen([case.binaries / "fpmStability", "-threads", "1"], cwd=case.root,
                                    stdout=subprocess.DEVNULL)

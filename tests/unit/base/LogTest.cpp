@@ -122,6 +122,20 @@ TEST(Log, QuietWritesNothing)
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
+TEST(Log, IntoATextWritesNowhereElse)
+{
+    testing::internal::CaptureStdout();
+
+    std::string text;
+    Log log = Log::into(text);
+    log.line("first");
+    log.warning("second");
+    log.finish();
+
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(text, "first\nwarning: second\n");
+}
+
 TEST(Log, WritesNoEscapeCodesToAPipe)
 {
     testing::internal::CaptureStdout();

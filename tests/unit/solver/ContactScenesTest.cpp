@@ -12,28 +12,6 @@ Part withoutPoisson(const std::string& name)
     return part;
 }
 
-/// Moment of momentum about the origin. Leapfrog keeps x^n x m v^(n-1/2) but for the moment of the
-/// forces.
-Point angularMomentum(Solver& solver)
-{
-    const std::vector<Point> v = halfStepVelocities(solver);
-    const NodeValues values = solver.nodeValues({});
-    Point sum{0, 0, 0};
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        const Point x = values.at(0, i);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t a = (c + 1) % 3, b = (c + 2) % 3;
-            sum[c] += solver.data().nodeMass[i] * (x[a] * v[i][b] - x[b] * v[i][a]);
-        }
-    }
-    return sum;
-}
-
-double length(const Point& p)
-{
-    return std::hypot(p[0], p[1], p[2]);
-}
-
 /// An oblique impact of free blocks beside the centre of both; the largest change of the angular
 /// momentum, and what friction across the gaps may make of it: their moment is at most
 /// sum mu k g g, twice mu the energy of the springs.
@@ -55,7 +33,7 @@ ObliqueImpact obliqueImpact(ContactKind kind, double friction)
     const auto solver = startedSolver(model);
     const Point before = angularMomentum(*solver);
     ObliqueImpact out;
-    out.scale = length(before);
+    out.scale = lengthOf(before);
     double time = 0, strongest = 0;
     for (int step = 0; step < 250; ++step) {
         const double spring = solver->energies().contact;
@@ -63,10 +41,10 @@ ObliqueImpact obliqueImpact(ContactKind kind, double friction)
         const double now = solver->clock().time;
         out.bound += friction * (solver->energies().contact + spring) * (now - time) * 1.05;
         time = now;
-        strongest = std::max(strongest, length(solver->pairForce(0).force));
+        strongest = std::max(strongest, lengthOf(solver->pairForce(0).force));
         const Point after = angularMomentum(*solver);
         const Point d{after[0] - before[0], after[1] - before[1], after[2] - before[2]};
-        out.change = std::max(out.change, length(d));
+        out.change = std::max(out.change, lengthOf(d));
     }
     EXPECT_GT(strongest, 0);
     return out;

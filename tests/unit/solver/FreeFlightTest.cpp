@@ -7,7 +7,7 @@
 namespace fpm::test {
 namespace {
 
-Point angularMomentum(Solver& solver)
+Point midStepAngularMomentum(Solver& solver)
 {
     const std::vector<Point> v = halfStepVelocities(solver);
     const NodeValues values = solver.nodeValues({});
@@ -58,10 +58,10 @@ TEST(FreeFlight, SpinningBlockIsStretchedByItsSpinOnlyAndKeepsItsMomenta)
     const double spin = 2e4; // rad/s about z through the centre
     setVelocity(model, [&](Point p) { return Point{-spin * (p[1] - 2), spin * (p[0] - 2), 0}; });
     const auto solver = startedSolver(model);
-    const Point linear = momentum(*solver), angular = angularMomentum(*solver);
+    const Point linear = momentum(*solver), angular = midStepAngularMomentum(*solver);
     const double turn = 2 * std::numbers::pi / spin;
     solver->advance(turn / 4, 1000000);
-    const Point linearAfter = momentum(*solver), angularAfter = angularMomentum(*solver);
+    const Point linearAfter = momentum(*solver), angularAfter = midStepAngularMomentum(*solver);
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(linearAfter[c], linear[c], 1e-12 * std::abs(angular[2]));
         EXPECT_NEAR(angularAfter[c], angular[c], 1e-6 * angular[2]);

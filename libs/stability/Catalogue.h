@@ -1,0 +1,61 @@
+#pragma once
+
+#include "model/Model.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fpm {
+
+/// How contact is computed in a scene of the catalogue: as a case has it by default, by
+/// `algorithm paper`, or by default with the remedy that the entry names.
+enum class Way { standard, paper, remedy };
+inline constexpr std::array<Way, 3> allWays{Way::standard, Way::paper, Way::remedy};
+const char* nameOf(Way way);
+
+/// What becomes of contact there. `refused`, `warned`: at set-up, in the words that the entry has;
+/// `none`: the way does not exist.
+enum class Fate { holds, loses, warned, refused, none };
+const char* nameOf(Fate fate);
+
+/// What a scene gave: a value to compare with the entry's limit, or what was said at set-up.
+struct Measure {
+    double value = 0;
+    std::string said;
+    bool stopped = false; ///< it was an error, not a warning
+};
+
+/// One way in which node-to-face penalty contact fails, and the scene that shows it.
+struct Failure {
+    int number;             ///< F1 to F27, published numbering
+    std::string name{};     ///< of the scene
+    std::string fails{};    ///< what goes wrong where nothing is done about it
+    std::string quantity{}; ///< what is measured; its unit, where it has one
+    double limit = 0;       ///< the value may be that large ...
+    bool atLeast = false;   ///< ... or, that small
+    std::string reason{};   ///< where the limit comes from
+    std::string words{};    ///< set-up: part of what must be said; there is no value then
+    std::array<Fate, 3> expected{Fate::holds, Fate::holds, Fate::none}; ///< by Way
+    std::string remedy{}; ///< what the default does about it, or what to choose
+    std::string note{};   ///< why a way loses, or holds though it was said to lose
+    std::function<Measure(Way)> run{};
+};
+
+/// All entries by number. Scenes of a few hundred elements, none longer than about a second.
+const std::vector<Failure>& catalogue();
+
+/// What one way through one scene gave.
+struct Verdict {
+    Measure measure;
+    Fate fate = Fate::none;
+};
+Verdict judge(const Failure& failure, Way way);
+/// True where the entry says so.
+bool isExpected(const Failure& failure, Way way, Fate fate);
+
+/// The model as it is, or with the forms of the paper.
+Model inWay(Model model, Way way);
+
+} // namespace fpm
