@@ -149,9 +149,11 @@ private:
             }
             law.storedFace[i] = face;
         }
-        const Vec3<Work> way = origin.face == face
-                                   ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                                   : wayAcross(i, face, origin, at);
+        Vec3<Work> way = origin.face == face
+                             ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
+                             : wayAcross(i, face, corners, origin, at);
+        if (isOnBorder(at.xi, at.eta) || isOnBorder(origin.xi, origin.eta))
+            way += wayBeyond(i, corners, origin, at);
         const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         return frame.vector(held, at.normal);
@@ -160,14 +162,64 @@ private:
     /// Way over the target in a step in which the contactor came to another face: that of the foot,
     /// as on one face. Inside a ridge the foot leaps to the other side where that becomes the
     /// nearer one; nobody went there, and the nodes' own way counts.
-    FPM_KERNEL Vec3<Work>
-    wayAcross(Index i, Index face, const Origin& origin, const Projection<Work>& at) const
+    FPM_KERNEL Vec3<Work> wayAcross(Index i,
+                                    Index face,
+                                    const FaceCorners<Work>& corners,
+                                    const Origin& origin,
+                                    const Projection<Work>& at) const
     {
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
         const Vec3<Work> foot = slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
-                                                 origin.xi, origin.eta, at.offset),
+                                                 origin.xi, origin.eta, offset),
                          node = relativeWay(i, face, at);
         const bool leapt = dot(foot, foot) > Work(4) * dot(node, node);
         return leapt ? node : foot;
+    }
+
+    FPM_KERNEL static bool isOnBorder(Work xi, Work eta)
+    {
+        return xi * xi >= Work(1) || eta * eta >= Work(1);
+    }
+    /// Whether a place on a border of a face lies on a free edge.
+    FPM_KERNEL bool isOnRim(const Origin& at) const
+    {
+        const Index* across = pair.neighbour + 4 * std::size_t(at.face);
+        return (at.xi * at.xi >= Work(1) && across[at.xi > 0 ? 1 : 3] == freeEdge)
+               || (at.eta * at.eta >= Work(1) && across[at.eta > 0 ? 2 : 0] == freeEdge);
+    }
+
+    /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
+    /// way that the foot does not make, as seen from the face.
+    FPM_KERNEL Vec3<Work> wayBeyond(Index i,
+                                    const FaceCorners<Work>& corners,
+                                    const Origin& origin,
+                                    const Projection<Work>& at) const
+    {
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
+        const Vec3<Work> trimmed = offset - at.offset; // what lies beyond where the surface ends
+        if (!(dot(trimmed, trimmed) > 0) && !isOnRim(origin)) return {0, 0, 0};
+        const Vec3<Work> normal = unit(cross(t1, t2));
+        return inPlane(offset, normal) - offsetBefore(i, origin);
+    }
+    /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
+    FPM_KERNEL Vec3<Work> offsetBefore(Index i, const Origin& origin) const
+    {
+        const FaceCorners<Work> now = pair.corners(origin.face, pair.contactor[i]);
+        FaceCorners<Work> before = now;
+        const Vec3<Work> own = pair.velocityOf(pair.contactor[i]);
+        for (int k = 0; k < 4; ++k) {
+            const Index node = pair.faceNode[4 * std::size_t(origin.face) + std::size_t(k)];
+            before.corner[k] =
+                before.corner[k] - Work(pair.clock->step) * (pair.velocityOf(node) - own);
+        }
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(before, origin.xi, origin.eta, offset, t1, t2);
+        const Vec3<Work> normal = unit(cross(t1, t2)), inside = inPlane(offset, normal);
+        evaluateFace(now, origin.xi, origin.eta, offset, t1, t2);
+        return FaceFrame<Work>(now).vector(FaceFrame<Work>(before).components(inside, normal),
+                                           unit(cross(t1, t2)));
     }
 
     /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The

@@ -61,6 +61,13 @@ FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, c
     return v - (dot(to, v) / onePlusCosine) * (from + to);
 }
 
+template <class Work>
+FPM_KERNEL Vec3<Work> unit(const Vec3<Work>& v)
+{
+    const Work length = squareRoot(dot(v, v));
+    return length > 0 ? (Work(1) / length) * v : v;
+}
+
 /// Orthonormal frame of a face, convected with it: e1 along the xi tangent of its middle.
 template <class Work>
 struct FaceFrame {
@@ -83,13 +90,6 @@ struct FaceFrame {
     FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
     {
         return turnedPlane(components.x * e1 + components.y * e2, normal, n);
-    }
-
-private:
-    FPM_KERNEL static Vec3<Work> unit(const Vec3<Work>& v)
-    {
-        const Work length = squareRoot(dot(v, v));
-        return length > 0 ? (Work(1) / length) * v : v;
     }
 };
 
