@@ -86,9 +86,23 @@ public:
 #pragma omp parallel num_threads(threads_)
         {
             const Team team(scratch_[std::size_t(omp_get_thread_num())].get());
-#pragma omp for schedule(static)
-            for (Index block = 0; block < count; ++block) kernel(team, block);
+            // There may be fewer threads than were asked for.
+            for (int part = omp_get_thread_num(); part < threads_; part += omp_get_num_threads()) {
+                const Index end = firstBlock(part + 1, count);
+                for (Index block = firstBlock(part, count); block < end; ++block)
+                    kernel(team, block);
+            }
         }
+    }
+    /// Threads that share the blocks of parallelBlocks, each those from its first to the next
+    /// one's.
+    int threads() const
+    {
+        return threads_;
+    }
+    Index firstBlock(int thread, Index count) const
+    {
+        return Index(std::int64_t(count) * thread / threads_);
     }
 
     void synchronize() const {}

@@ -123,6 +123,9 @@ public:
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
     static bool alone() { return false; }
+    /// Any thread may work any block.
+    static int threads() { return 0; }
+    static Index firstBlock(int, Index) { return 0; }
 
     /// step() `count` times. Full runs of graphSteps are recorded once as a graph and replayed, so
     /// what step launches may not change until forgetSteps. One replay in samplePeriod is launched

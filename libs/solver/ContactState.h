@@ -40,7 +40,7 @@ struct PairState {
     Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
         contactorComponent, face, head, next;
     Of<Index> frictionFace;
-    Of<std::uint8_t> mayMeet, around;
+    Of<std::uint8_t> mayMeet, around, shared;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
     Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;

@@ -62,6 +62,7 @@ private:
     void contactPasses();
     void searchContact();
     void searchOne(const SearchSchedule::Due& due);
+    void shareContactNodes(std::size_t pass);
     void rememberPositions(const std::vector<SearchSchedule::Due>& searched);
     void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);

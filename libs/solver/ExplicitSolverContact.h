@@ -7,7 +7,7 @@ namespace fpm {
 template <class Precision, class Executor>
 ContactSums ExplicitSolver<Precision, Executor>::contactSums()
 {
-    return {state_.contactSum.data(), data_.contactScale, executor_.alone()};
+    return {state_.contactSum.data(), data_.contactScale, executor_.alone(), nullptr};
 }
 
 template <class Precision, class Executor>
@@ -18,6 +18,7 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
     view.velocity = state_.velocity.data();
     view.nodeStride = std::size_t(data_.nodeCount);
     view.sums = contactSums();
+    view.sums.shared = state_.pairs[number].shared.data();
     view.clock = state_.clock.data();
     return view;
 }
@@ -27,6 +28,8 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
 {
     PairState<Precision, Executor>& s = state_.pairs[number];
     const PairData& pair = data_.pairs[number];
+    ContactSums sums = contactSums();
+    sums.alone = executor_.threads() > 0; // each contactor pushes its own node only
     return {.contactorCount = Index(s.contactor.size()),
             .contactor = s.contactor.data(),
             .contactorNumber = s.contactorNumber.data(),
@@ -35,7 +38,7 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
             .position = state_.position.data(),
             .velocity = state_.velocity.data(),
             .nodeStride = std::size_t(data_.nodeCount),
-            .sums = contactSums(),
+            .sums = sums,
             .clock = state_.clock.data(),
             .amplitudeRows = state_.amplitudeRows.data(),
             .reach = pair.reach,
@@ -56,7 +59,7 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
             executor_.parallelFor(contactors, surfaceForce(pass));
         else
             executor_.parallelBlocks(
-                (contactors + Force::block - 1) / Force::block, 0,
+                Force::blocks(contactors), 0,
                 Force{pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
     }
     using Limit = ContactLimit<typename Precision::Motion>;
@@ -142,7 +145,21 @@ void ExplicitSolver<Precision, Executor>::rememberPositions(
         if (!due.blocks.empty()) continue;
         if (positions.empty()) positions = state_.searchPosition.toHost();
         schedule_.arrange(due.pass, positions);
+        shareContactNodes(due.pass);
     }
+}
+
+/// Tells the threads of the force pass where they have to lock.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::shareContactNodes(std::size_t pass)
+{
+    const PairData& pair = data_.pairs[pass];
+    const Index contactors = Index(pair.contactor.size());
+    if (executor_.threads() < 2 || contactors != pair.nodeCount) return;
+    std::vector<Index> starts;
+    for (int thread = 0; thread < executor_.threads(); ++thread)
+        starts.push_back(executor_.firstBlock(thread, ContactForce<Precision>::blocks(contactors)));
+    state_.pairs[pass].shared = Array<std::uint8_t, Executor>(schedule_.sharedBlocks(pass, starts));
 }
 
 /// Notes what lies inside before the run; it makes full force in passes that do not forgive it.

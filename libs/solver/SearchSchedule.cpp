@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace fpm {
 
 namespace {
 
-/// How far from a block of contactors target nodes count as near it, in reaches: as long as nothing
-/// has come so far, nothing else can touch them.
-constexpr double nearness = 16;
+/// Ways of both sides together, in reaches, until a pass is arranged again.
+constexpr double nearness = 8;
 
 std::vector<Index> sortedOnce(std::vector<Index> values)
 {
@@ -41,6 +41,23 @@ double both(const SearchSchedule::Travel& travel,
         return std::sqrt(square);
     };
     return largest(one) + largest(other);
+}
+
+double longestDiagonal(const std::vector<Index>& faces, const SearchSchedule::Positions& positions)
+{
+    const std::size_t count = positions.size() / 3;
+    double square = 0;
+    for (std::size_t face = 0; face < faces.size(); face += 4)
+        for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}}) {
+            double sum = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double d = positions[c * count + std::size_t(faces[face + std::size_t(a)])]
+                                 - positions[c * count + std::size_t(faces[face + std::size_t(b)])];
+                sum += d * d;
+            }
+            square = std::max(square, sum);
+        }
+    return std::sqrt(square);
 }
 
 struct Box {
@@ -77,7 +94,12 @@ SearchSchedule::SearchSchedule(const SolverData& data)
     for (std::size_t number = 0; number < data.pairs.size(); ++number) {
         const PairData& pair = data.pairs[number];
         if (pair.surface >= 0) continue;
-        Pass pass{number, pair.reach, {}, sortedOnce(pair.faceNumber), {}, {}, {}};
+        const double thickness =
+            pair.faceThickness.empty()
+                ? 0
+                : *std::max_element(pair.faceThickness.begin(), pair.faceThickness.end());
+        Pass pass{number,          pair.reach, thickness, {}, sortedOnce(pair.faceNumber),
+                  pair.faceNumber, {},         {},        {}};
         pass.contactor.assign(pair.contactorNumber.begin(),
                               pair.contactorNumber.begin() + pair.nodeCount);
         pass.own = blocksOf(pass.contactor);
@@ -90,6 +112,10 @@ void SearchSchedule::arrange(std::size_t number, const Positions& positions)
 {
     for (Pass& pass : passes_) {
         if (pass.number != number) continue;
+        // A contactor pushes the corners of a face within reach, or deeper than which it is let go.
+        // Since, it may have moved, and the corners both moved and moved apart.
+        const double distance =
+            longestDiagonal(pass.faces, positions) + pass.thickness + 3 * nearness * pass.reach;
         std::map<Index, Box> targets; // by blocks of contact nodes
         for (const Index node : pass.target) targets[node / travelBlock].add(positions, node);
         pass.way = 0;
@@ -102,10 +128,29 @@ void SearchSchedule::arrange(std::size_t number, const Positions& positions)
             for (auto node = begin; node != end; ++node) box.add(positions, *node);
             Block out{blocksOf({begin, end}), {}};
             for (const auto& [where, target] : targets)
-                if (target.isWithin(nearness * pass.reach, box)) out.near.push_back(where);
+                if (target.isWithin(distance, box)) out.near.push_back(where);
             pass.blocks.push_back(std::move(out));
         }
     }
+}
+
+std::vector<std::uint8_t> SearchSchedule::sharedBlocks(std::size_t number,
+                                                       const std::vector<Index>& starts) const
+{
+    std::vector<std::uint8_t> shared;
+    for (const Pass& pass : passes_) {
+        if (pass.number != number || pass.own.empty() || pass.all.empty()) continue;
+        shared.assign(std::size_t(std::max(pass.own.back(), pass.all.back())) + 1, 1);
+        std::map<Index, std::set<std::ptrdiff_t>> threads; // of a block of contact nodes
+        for (std::size_t b = 0; b < pass.blocks.size(); ++b) {
+            const auto thread =
+                std::upper_bound(starts.begin(), starts.end(), Index(b)) - starts.begin();
+            for (const Index block : pass.blocks[b].own) threads[block].insert(thread);
+            for (const Index block : pass.blocks[b].near) threads[block].insert(thread);
+        }
+        for (const auto& [block, those] : threads) shared[std::size_t(block)] = those.size() > 1;
+    }
+    return shared;
 }
 
 SearchSchedule::Plan SearchSchedule::plan(const Travel& travel, double timeStep, std::int64_t steps)

@@ -38,6 +38,10 @@ public:
     Plan plan(const Travel& travel, double timeStep, std::int64_t steps);
     /// The pass was searched as a whole at these positions.
     void arrange(std::size_t pass, const Positions& positions);
+    /// Blocks of contact nodes that contactors of more than one thread may push until the pass is
+    /// arranged again, 1 each. Thread t has the blocks of contactors from starts[t] on.
+    std::vector<std::uint8_t> sharedBlocks(std::size_t pass,
+                                           const std::vector<Index>& starts) const;
 
 private:
     struct Block {
@@ -47,7 +51,9 @@ private:
     struct Pass {
         std::size_t number;
         double reach;
+        double thickness;                     ///< the largest of the target
         std::vector<Index> contactor, target; ///< contact nodes
+        std::vector<Index> faces;             ///< [4 * face + corner], contact nodes
         std::vector<Index> own, all;          ///< blocks of contact nodes of either side
         std::vector<Block> blocks;
         double way = 0; ///< of all, since it was arranged

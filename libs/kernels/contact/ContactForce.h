@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/Overlap.h"
+#include "kernels/contact/Search.h"
 
 namespace fpm {
 
@@ -13,7 +14,8 @@ struct ContactForce {
     PairView<Precision> pair;
     CellLists cells;
 
-    static constexpr Index block = 256;
+    static constexpr Index block = NodeBlocks::size;
+    static constexpr Index blocks(Index contactors) { return (contactors + block - 1) / block; }
 
     /// Contactors of one block: those that lie over the face they are tracked on, most of them, as
     /// many lanes at a time as the team has; the others one by one.

@@ -5,6 +5,9 @@
 
 namespace fpm {
 
+/// Contact nodes whose ways and threads are looked at together.
+inline constexpr Index travelBlock = 256;
+
 /// Contact forces are added up as 64-bit integers: the sum does not depend on the order of the
 /// contributions, so it is the same on any number of threads and on the GPU, and the force on a
 /// contactor is exactly minus the sum of its shares on the target.
@@ -22,16 +25,23 @@ struct ForceScale {
 struct ContactSums {
     std::int64_t* values; ///< [contact node][4]: force and stiffness, fixed point
     ForceScale scale;
-    bool alone; ///< one thread adds
+    bool alone;                 ///< no two threads add to one node
+    const std::uint8_t* shared; ///< blocks of contact nodes where two threads may; null: everywhere
 
     FPM_KERNEL void addForce(Index number, const std::int64_t (&force)[3]) const
     {
         std::int64_t* to = values + 4 * std::size_t(number);
-        for (int c = 0; c < 3; ++c) add64(to + c, force[c], alone);
+        for (int c = 0; c < 3; ++c) add64(to + c, force[c], isMine(number));
     }
     FPM_KERNEL void addStiffness(Index number, double stiffness) const
     {
-        add64(values + 4 * std::size_t(number) + 3, scale.spring(stiffness), alone);
+        add64(values + 4 * std::size_t(number) + 3, scale.spring(stiffness), isMine(number));
+    }
+
+private:
+    FPM_KERNEL bool isMine(Index number) const
+    {
+        return alone || (shared && shared[number / travelBlock] == 0);
     }
 };
 

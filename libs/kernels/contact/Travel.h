@@ -1,12 +1,10 @@
 #pragma once
 
-#include "base/Types.h"
+#include "kernels/contact/ForceSum.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
 
 namespace fpm {
-
-inline constexpr Index travelBlock = 256;
 
 /// How far the contact nodes have come since their positions were remembered, and how fast they
 /// are: largest square of a block of nodes. One index = one block; exact, in any order.

@@ -113,11 +113,49 @@ TEST(SearchSchedule, WhereSomethingCameFromAfarAllSearchAgain)
     SearchSchedule schedule = arranged(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> ways(12, 0.0);
-    ways[4] = 7;
+    ways[4] = 3;
     EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 1");
     EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: 1");
-    // 7 + 7 + 7 is more than the 15 reaches that were near when all searched.
+    // 3 + 3 + 3 is more than the 7 reaches for which is known what is near.
     EXPECT_EQ(due(schedule.plan(travelOf(ways, slow), 1, 10)), "0: all");
+}
+
+TEST(SearchSchedule, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
+{
+    // Four blocks a surface, the second pair like the first; two threads with two blocks each.
+    const std::vector<Index> starts{0, 2};
+    const auto text = [&](double spacing) {
+        std::string out;
+        for (const std::uint8_t shared : arranged(1, 4, spacing).sharedBlocks(0, starts))
+            out += shared ? 's' : '-';
+        return out;
+    };
+    EXPECT_EQ(text(100), "--------"); // contactors and, below each of them, the target's nodes
+    EXPECT_EQ(text(0), "----ssss");   // all in one place
+    // Within 24 reaches: those beside the border of the two threads.
+    EXPECT_EQ(text(15), "-----ss-");
+}
+
+TEST(SearchSchedule, CornersOfALargeFaceAreNearWhateverIsOverIt)
+{
+    // One face as wide as 100 reaches whose corners lie in two blocks of contact nodes, and a block
+    // of contactors over its middle.
+    SolverData data;
+    data.pairs.resize(1);
+    PairData& pair = data.pairs[0];
+    pair.reach = 1;
+    pair.nodeCount = 2 * travelBlock;
+    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactorNumber.push_back(i);
+    pair.faceNumber = {2 * travelBlock, 2 * travelBlock + 1, 3 * travelBlock, 3 * travelBlock + 1};
+    const std::size_t count = std::size_t(4 * travelBlock);
+    SearchSchedule::Positions positions(3 * count);
+    for (std::size_t i = 0; i < std::size_t(2 * travelBlock); ++i) positions[i] = 50;
+    positions[std::size_t(3 * travelBlock)] = positions[std::size_t(3 * travelBlock) + 1] = 100;
+    SearchSchedule schedule(data);
+    schedule.arrange(0, positions);
+    EXPECT_EQ(due(schedule.plan(travelOf({0, 0, 0, 1.1}, still), 1, 10)), "0: 0 1");
+    const std::vector<std::uint8_t> shared = schedule.sharedBlocks(0, {0, 1});
+    EXPECT_EQ(shared, (std::vector<std::uint8_t>{0, 0, 1, 1}));
 }
 
 } // namespace
