@@ -1,6 +1,7 @@
 #include "application/Application.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
+#include "solver/BusyCores.h"
 #include "solver/KernelReport.h"
 #include "solver/TimeLoop.h"
 
@@ -48,6 +49,8 @@ int main(int argc, char** argv)
         applyOptions(run, model.control);
         const auto solver = fpm::makeSolver(model);
         run.log.line("running on " + solver->description());
+        const std::string busy = fpm::busyCoresNote(fpm::threadCount(model.control));
+        if (!busy.empty()) run.log.line(busy);
         for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
         solver->start();
         if (run.has("dryRun")) return fpm::reportDryRun(*solver, model, run.log);

@@ -94,12 +94,13 @@ SearchSchedule::SearchSchedule(const SolverData& data)
     for (std::size_t number = 0; number < data.pairs.size(); ++number) {
         const PairData& pair = data.pairs[number];
         if (pair.surface >= 0) continue;
-        const double thickness =
-            pair.faceThickness.empty()
-                ? 0
-                : *std::max_element(pair.faceThickness.begin(), pair.faceThickness.end());
-        Pass pass{number,          pair.reach, thickness, {}, sortedOnce(pair.faceNumber),
-                  pair.faceNumber, {},         {},        {}};
+        Pass pass;
+        pass.number = number;
+        pass.reach = pair.reach;
+        for (const double thickness : pair.faceThickness)
+            pass.thickness = std::max(pass.thickness, thickness);
+        pass.faces = pair.faceNumber;
+        pass.target = sortedOnce(pair.faceNumber);
         pass.contactor.assign(pair.contactorNumber.begin(),
                               pair.contactorNumber.begin() + pair.nodeCount);
         pass.own = blocksOf(pass.contactor);

@@ -49,9 +49,9 @@ private:
         double way = 0;               ///< between its last search and the remembered positions
     };
     struct Pass {
-        std::size_t number;
-        double reach;
-        double thickness;                     ///< the largest of the target
+        std::size_t number = 0;
+        double reach = 0;
+        double thickness = 0;                 ///< the largest of the target
         std::vector<Index> contactor, target; ///< contact nodes
         std::vector<Index> faces;             ///< [4 * face + corner], contact nodes
         std::vector<Index> own, all;          ///< blocks of contact nodes of either side

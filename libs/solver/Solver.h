@@ -126,5 +126,7 @@ public:
 /// the backend is not in this build or the machine lacks it; never falls back silently.
 /// `audit`: book nodal works of every force family, for tests.
 std::unique_ptr<Solver> makeSolver(const Model& model, bool audit = false);
+/// Threads of the CPU that a run will have: as many as cores where openmp is not told otherwise.
+int threadCount(const Control& control);
 
 } // namespace fpm

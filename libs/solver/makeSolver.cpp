@@ -17,14 +17,14 @@ bool cpuHas(const std::string& simd)
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
+} // namespace
+
 int threadCount(const Control& control)
 {
-    if (control.backend == "serial") return 1;
+    if (control.backend != "openmp") return 1;
     const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
     return control.threads > 0 ? control.threads : cores;
 }
-
-} // namespace
 
 std::unique_ptr<Solver> makeSolver(const Model& model, bool audit)
 {
