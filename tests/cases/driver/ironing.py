@@ -27,7 +27,7 @@ def punch(cells):
     return mesh.text()
 
 
-def ironed(binaries, block, cells, end=END, friction=0.3):
+def ironed(binaries, block, cells, end=END, friction=0.3, scale=1):
     held = "type fixed; components (z);"
     return Scene(
         binaries,
@@ -46,10 +46,9 @@ def ironed(binaries, block, cells, end=END, friction=0.3):
                    f"amplitude smooth ((0 0) ({PRESS} 0) ({END} 1)); }}",
         # The finer side is the contactor: nodes of a coarse block would let the punch's corners sink
         # in between them. It must be finer: nodes of the block that are no further apart than the
-        # punch's sink into the front corner, and the surface folds. Friction times gap is a moment
-        # that nothing balances: with springs half as stiff the energy is off by 1.0 %.
+        # punch's sink into the front corner, and the surface folds.
         pairs=f"ironing {{ contactor under; target block.yMax; friction {friction}; "
-              "normalScale 2; }",
+              f"normalScale {scale}; }}",
         end=end, rows=3000, frames=3,
         control="massDamping 3e3;").all()
 
@@ -68,8 +67,8 @@ def forces(case):
             "dragged, horizontal": -mean(f["time"], f["fx"], MIDDLE - 5e-5, MIDDLE + 5e-5)}
 
 
-def run(binaries, marks, block, cells, end=END):
-    with ironed(binaries, block, cells, end) as case:
+def run(binaries, marks, block, cells, end=END, scale=1):
+    with ironed(binaries, block, cells, end, scale=scale) as case:
         found = forces(case)
         for name, band in BANDS.items():
             marks.within(f"{block[0]} x {block[1]} {name}", found[name], *band, " N")
@@ -77,7 +76,9 @@ def run(binaries, marks, block, cells, end=END):
 
 
 def coarse(binaries, marks):
-    run(binaries, marks, (60, 15), (12, 6))
+    """With stiffer springs: friction times gap is a moment that nothing balances, and with scale 1
+    it makes 1.0 % of the energy on this mesh (0.6 % on the finer one)."""
+    run(binaries, marks, (60, 15), (12, 6), scale=2)
 
 
 def check(binaries, marks):
