@@ -39,7 +39,7 @@ struct PairState {
         faceTarget, neighbour;
     Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
         contactorComponent, face, head, next;
-    Of<Index> frictionFace;
+    Of<Index> frictionFace, searchBlocks;
     Of<std::uint8_t> mayMeet, around, shared;
     Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
     Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
@@ -73,6 +73,7 @@ struct PairState {
           face(std::vector<Index>(pair.contactor.size(), noFace)),
           frictionFace(
               std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
+          searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
           faceStiffness(converted<Work>(pair.faceStiffness)),
@@ -198,7 +199,8 @@ struct PairState {
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
-        return sum + mayMeet.bytes() + around.bytes() + counts.bytes();
+        return sum + searchBlocks.bytes() + mayMeet.bytes() + around.bytes() + shared.bytes()
+               + counts.bytes();
     }
 };
 

@@ -98,7 +98,6 @@ private:
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
     std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
     SearchSchedule schedule_;                          ///< otherwise
-    Array<Index, Executor> searchBlocks_;
     std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
     Energies lost_;              ///< booked for contactors that are none any more
 };

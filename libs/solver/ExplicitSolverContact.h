@@ -59,7 +59,7 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
             executor_.parallelFor(contactors, surfaceForce(pass));
         else
             executor_.parallelBlocks(
-                Force::blocks(contactors), 0,
+                NodeBlocks::blocks(contactors), 0,
                 Force{pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
     }
     using Limit = ContactLimit<typename Precision::Motion>;
@@ -113,10 +113,15 @@ template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchOne(const SearchSchedule::Due& due)
 {
     ++times_.searches;
-    searchBlocks_ = Array<Index, Executor>(due.blocks);
-    searchPass(executor_, pairView(due.pass), state_.pairs[due.pass].cells(data_.pairs[due.pass]),
+    PairState<Precision, Executor>& pair = state_.pairs[due.pass];
+    if (!due.blocks.empty()) {
+        std::vector<Index> list = due.blocks;
+        list.resize(pair.searchBlocks.size());
+        pair.searchBlocks.fromHost(list);
+    }
+    searchPass(executor_, pairView(due.pass), pair.cells(data_.pairs[due.pass]),
                data_.pairs[due.pass].search == ContactSearch::faces,
-               {searchBlocks_.data(), Index(due.blocks.size())});
+               {pair.searchBlocks.data(), Index(due.blocks.size())});
 }
 
 /// Searches in all passes.
@@ -158,7 +163,7 @@ void ExplicitSolver<Precision, Executor>::shareContactNodes(std::size_t pass)
     if (executor_.threads() < 2 || contactors != pair.nodeCount) return;
     std::vector<Index> starts;
     for (int thread = 0; thread < executor_.threads(); ++thread)
-        starts.push_back(executor_.firstBlock(thread, ContactForce<Precision>::blocks(contactors)));
+        starts.push_back(executor_.firstBlock(thread, NodeBlocks::blocks(contactors)));
     state_.pairs[pass].shared = Array<std::uint8_t, Executor>(schedule_.sharedBlocks(pass, starts));
 }
 

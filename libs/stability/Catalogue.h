@@ -29,7 +29,7 @@ struct Measure {
 
 /// One way in which node-to-face penalty contact fails, and the scene that shows it.
 struct Failure {
-    int number;             ///< F1 to F27, published numbering
+    int number;             ///< F1 to F27, as doc/failures.md counts
     std::string name{};     ///< of the scene
     std::string fails{};    ///< what goes wrong where nothing is done about it
     std::string quantity{}; ///< what is measured; its unit, where it has one

@@ -15,7 +15,6 @@ struct ContactForce {
     CellLists cells;
 
     static constexpr Index block = NodeBlocks::size;
-    static constexpr Index blocks(Index contactors) { return (contactors + block - 1) / block; }
 
     /// Contactors of one block: those that lie over the face they are tracked on, most of them, as
     /// many lanes at a time as the team has; the others one by one.

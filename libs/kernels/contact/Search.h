@@ -35,6 +35,7 @@ struct ContactorNormal {
 /// Nodes of a pass that search: those of some blocks, or all.
 struct NodeBlocks {
     static constexpr Index size = 256;
+    static constexpr Index blocks(Index nodes) { return (nodes + size - 1) / size; }
     const Index* list; ///< numbers of blocks
     Index count;       ///< 0: all there are
 

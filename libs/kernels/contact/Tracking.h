@@ -26,17 +26,31 @@ public:
     FPM_KERNEL SteadyContactors(const PairView<Precision>& pair, Index first)
     {
         alignas(T) Work corner[12][lanes], start[2][lanes], flat[lanes];
+        bool any = false;
         for (int lane = 0; lane < lanes; ++lane) {
-            const Index i = first + lane < pair.contactorCount ? first + lane : first;
-            const Index face = pair.face[i];
-            flat[lane] = Work(face >= 0 && pair.around[i] == aroundFlat && !pair.cold
-                              && first + lane < pair.contactorCount);
+            const Index i = first + lane;
+            const bool here = !pair.cold && i < pair.contactorCount && pair.face[i] >= 0
+                              && pair.around[i] == aroundFlat;
+            flat[lane] = Work(here);
+            any |= here;
+        }
+        if (!any) {
+            store(holds_, T(0));
+            return;
+        }
+        for (int lane = 0; lane < lanes; ++lane) {
+            const Index i = first + lane;
+            if (!(flat[lane] > 0)) {
+                start[0][lane] = start[1][lane] = 0;
+                for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
+                continue;
+            }
+            const std::size_t face = std::size_t(pair.face[i]);
             start[0][lane] = pair.xi[i];
             start[1][lane] = pair.eta[i];
-            const std::size_t known = face < 0 ? 0 : std::size_t(face);
-            const FaceCorners<Work> corners = pair.corners(Index(known), pair.contactor[i]);
+            const FaceCorners<Work> corners = pair.corners(pair.face[i], pair.contactor[i]);
             for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
-                prefetch(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * known + k]));
+                prefetch(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * face + k]));
             prefetch(pair.sums.values + 4 * std::size_t(pair.contactorNumber[i]));
             for (int k = 0; k < 4; ++k) {
                 corner[3 * k][lane] = corners.corner[k].x;

@@ -11,9 +11,9 @@ TEST(CutMesh, KeepsAQuarterWithItsSets)
 {
     Model model = symmetricScene();
     Mesh& mesh = model.mesh;
-    mesh.nodeSets["top"] = nodesAt(mesh, [](Point p) { return p[2] == 1; });
-    mesh.sideSets["under"] = sidesFacing(mesh, "upper", {0, 0, -1});
-    mesh.nodeSets["gone"] = nodesAt(mesh, [](Point p) { return p[0] == -3; });
+    mesh.nodeSets["top"] = nodesWhere(mesh, [](Point p) { return p[2] == 1; });
+    mesh.sideSets["under"] = facing(mesh, "upper", {0, 0, -1});
+    mesh.nodeSets["gone"] = nodesWhere(mesh, [](Point p) { return p[0] == -3; });
     // A node of the plane that lies off it by rounding.
     for (Point& p : mesh.points)
         if (p == Point{0, 1, 1}) p[1] = 1 + 1e-10;

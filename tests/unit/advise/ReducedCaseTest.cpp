@@ -17,10 +17,10 @@ protected:
     {
         Mesh mesh = symmetricScene().mesh;
         mesh.contact.clear();
-        mesh.nodeSets["ground"] = nodesAt(mesh, [](Point p) { return p[2] == -1; });
-        mesh.nodeSets["left"] = nodesAt(mesh, [](Point p) { return p[0] == -3 && p[2] == 0; });
-        mesh.nodeSets["right"] = nodesAt(mesh, [](Point p) { return p[0] == 3 && p[2] == 0; });
-        mesh.nodeSets["top"] = nodesAt(mesh, [](Point p) { return p[2] == 1; });
+        mesh.nodeSets["ground"] = nodesWhere(mesh, [](Point p) { return p[2] == -1; });
+        mesh.nodeSets["left"] = nodesWhere(mesh, [](Point p) { return p[0] == -3 && p[2] == 0; });
+        mesh.nodeSets["right"] = nodesWhere(mesh, [](Point p) { return p[0] == 3 && p[2] == 0; });
+        mesh.nodeSets["top"] = nodesWhere(mesh, [](Point p) { return p[2] == 1; });
         folder_.write(mesh);
         folder_.write("constant/partProperties",
                       "word elastoplastic;\nparts\n{\nlower { model $word; density 2.7e-9;\n"

@@ -30,7 +30,7 @@ BoundaryCondition& named(Model& model, const std::string& name)
 
 Index nodeAt(const Model& model, Point place)
 {
-    return nodesAt(model.mesh, [&](Point p) { return p == place; }).front();
+    return nodesWhere(model.mesh, [&](Point p) { return p == place; }).front();
 }
 
 } // namespace

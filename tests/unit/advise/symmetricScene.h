@@ -1,34 +1,11 @@
 #pragma once
 
 #include "mesh/Patches.h"
-#include "mesh/Surface.h"
-#include "model/NodeSelection.h"
+#include "stability/SceneTools.h"
 #include "support/TemporaryFolder.h"
 #include "support/solverModel.h"
 
-#include <functional>
-
 namespace fpm::test {
-
-inline std::vector<Index> nodesAt(const Mesh& mesh, const std::function<bool(Point)>& here)
-{
-    std::vector<Index> nodes;
-    for (std::size_t i = 0; i < mesh.points.size(); ++i)
-        if (here(mesh.points[i])) nodes.push_back(Index(i));
-    return nodes;
-}
-
-inline std::vector<ElementSide>
-sidesFacing(const Mesh& mesh, const std::string& part, Point direction)
-{
-    std::vector<ElementSide> chosen;
-    for (const ElementSide& side : skin(mesh, mesh.findPart(part))) {
-        const Point n = normal(mesh, side);
-        if (n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2] > 0.7)
-            chosen.push_back(side);
-    }
-    return chosen;
-}
 
 /// A block of 4 x 2 x 2 that falls on one of 6 x 4 x 1, its own mirror image in x = 0 and y = 1:
 /// held below, pressed on top, pulled to both sides in x by conditions that mirror each other.
@@ -53,12 +30,13 @@ inline Model symmetricScene()
     };
     using Kind = BoundaryCondition::Kind;
     const std::array all{true, true, true}, alongX{true, false, false}, alongZ{false, false, true};
-    add(Kind::fixed, "ground", {0, 0, 0}, nodesAt(mesh, [](Point p) { return p[2] == -1; }), all);
+    add(Kind::fixed, "ground", {0, 0, 0}, nodesWhere(mesh, [](Point p) { return p[2] == -1; }),
+        all);
     add(Kind::velocity, "left", {-5, 0, 0},
-        nodesAt(mesh, [](Point p) { return p[0] == -3 && p[2] > -1; }), alongX);
+        nodesWhere(mesh, [](Point p) { return p[0] == -3 && p[2] > -1; }), alongX);
     add(Kind::velocity, "right", {5, 0, 0},
-        nodesAt(mesh, [](Point p) { return p[0] == 3 && p[2] > -1; }), alongX);
-    add(Kind::force, "weight", {0, 0, -8}, nodesAt(mesh, [](Point p) { return p[2] == 1; }),
+        nodesWhere(mesh, [](Point p) { return p[0] == 3 && p[2] > -1; }), alongX);
+    add(Kind::force, "weight", {0, 0, -8}, nodesWhere(mesh, [](Point p) { return p[2] == 1; }),
         alongZ);
     InitialVelocity fall;
     fall.name = "fall";
@@ -68,8 +46,8 @@ inline Model symmetricScene()
     model.initialVelocities = {fall};
     ContactPair pair;
     pair.name = "touch";
-    const auto contactor = sidesFacing(mesh, "upper", {0, 0, -1});
-    pair.targetSides = sidesFacing(mesh, "lower", {0, 0, 1});
+    const auto contactor = facing(mesh, "upper", {0, 0, -1});
+    pair.targetSides = facing(mesh, "lower", {0, 0, 1});
     pair.contactorNodes = nodesOf(mesh, contactor);
     mesh.contact.push_back({pair.name, pair.contactorNodes, contactor, pair.targetSides});
     model.contactPairs = {pair};
