@@ -85,7 +85,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, face, at, gap < 0, force, stiffness);
+        share(i, now, gap < 0, force, stiffness);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -223,20 +223,44 @@ private:
                                            unit(cross(t1, t2)));
     }
 
-    /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The
-    /// stiffness of every spring within reach enters the bound of the step before it closes.
+    /// Forces on the target, and the contactor's as minus their exact sum. The stiffness of every
+    /// spring within reach enters the bound of the step before it closes.
     FPM_KERNEL void share(Index i,
-                          Index face,
-                          const Projection<Work>& at,
+                          const Tracked<Work>& now,
                           bool closed,
                           const Vec3<Work>& force,
                           Work stiffness) const
     {
-        Work n[4];
-        shapeFunctions(at.xi, at.eta, n);
         const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
         std::int64_t own[3] = {0, 0, 0};
+        if (now.ridge && closed) {
+            const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
+            const Work part = Work(1) / Work(faces.count);
+            for (int k = 0; k < faces.count; ++k)
+                load(faces.face[k], faces.xi[k], faces.eta[k], closed, part * faces.image(k, force),
+                     part * bound, own);
+        } else
+            load(now.face, now.at.xi, now.at.eta, closed, force, bound, own);
+        if (closed) {
+            sums.addForce(pair.contactorNumber[i], own);
+            for (int c = 0; c < 3; ++c)
+                pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
+        }
+        sums.addStiffness(pair.contactorNumber[i], double(bound));
+    }
+    /// Shares of the four corners, -N_I F; `own` takes what balances them.
+    FPM_KERNEL void load(Index face,
+                         Work xi,
+                         Work eta,
+                         bool closed,
+                         const Vec3<Work>& force,
+                         Work bound,
+                         std::int64_t (&own)[3]) const
+    {
+        Work n[4];
+        shapeFunctions(xi, eta, n);
+        const ContactSums& sums = pair.sums;
         for (int k = 0; k < 4; ++k) {
             const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
             if (closed) {
@@ -248,12 +272,6 @@ private:
             }
             sums.addStiffness(corner, double(n[k] * bound));
         }
-        if (closed) {
-            sums.addForce(pair.contactorNumber[i], own);
-            for (int c = 0; c < 3; ++c)
-                pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
-        }
-        sums.addStiffness(pair.contactorNumber[i], double(bound));
     }
 };
 

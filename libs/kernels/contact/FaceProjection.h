@@ -106,7 +106,7 @@ FPM_KERNEL T borderWidth()
 template <class T>
 FPM_KERNEL T negligibleSquare()
 {
-    return T(sizeof(ScalarOf<T>) == 8 ? 1e-12 : 1e-8);
+    return T(sizeof(ScalarOf<T>) == 8 ? 1e-20 : 1e-8);
 }
 /// On the border or beyond it: on it.
 template <class T>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/contact/FaceChoice.h"
+#include "kernels/contact/RidgeFaces.h"
 
 namespace fpm {
 
@@ -11,6 +12,7 @@ struct Tracked {
     Work xi, eta;
     Projection<Work> at;
     bool beyond; ///< it left the surface over a free edge
+    bool ridge;  ///< it lies inside a ridge, as near to other faces: RidgeFaces
 };
 
 /// Contactors from `first` on, one in each lane of T, projected from where they were: those in
@@ -70,7 +72,7 @@ public:
             return;
         }
         const Projection<T> at = gapAtClosest(corners, clampedUnit(xi), clampedUnit(eta));
-        store(holds_, select(inside, T(1), T(0)));
+        store(holds_, select(inside & !nearsRidge(corners, at), T(1), T(0)));
         const T values[9] = {at.xi,       at.eta,      at.gap,      at.normal.x, at.normal.y,
                              at.normal.z, at.offset.x, at.offset.y, at.offset.z};
         for (int k = 0; k < 9; ++k) store(values_[k], values[k]);
@@ -88,10 +90,24 @@ public:
                  {value(3), value(4), value(5)},
                  {value(6), value(7), value(8)},
                  value(2)},
+                false,
                 false};
     }
 
 private:
+    /// Inside, and nearer to an edge than a tenth of its depth: inside a ridge, even one so blunt
+    /// that its faces count as flat, other faces may be as near.
+    FPM_KERNEL static MaskOf<T> nearsRidge(const FaceCorners<T>& corners, const Projection<T>& at)
+    {
+        Vec3<T> r, t1, t2;
+        evaluateFace(corners, at.xi, at.eta, r, t1, t2);
+        const T zero = T(0), xi = T(1) - magnitude(at.xi), eta = T(1) - magnitude(at.eta),
+                square = T(0.01) * at.gap * at.gap;
+        return (at.gap < zero)
+               & (((xi > zero) & (xi * xi * dot(t1, t1) < square))
+                  | ((eta > zero) & (eta * eta * dot(t2, t2) < square)));
+    }
+
     alignas(T) Work holds_[lanes], values_[9][lanes];
 };
 
@@ -119,18 +135,21 @@ struct FaceTracker {
             return measured(i, here, corners);
         }
         here.point = closestPoint(corners, pair.xi[i], pair.eta[i]);
-        for (int hop = 0; hop < maxHops && hopped(i, here, corners); ++hop)
+        bool ridge = false;
+        for (int hop = 0; hop < maxHops && hopped(i, here, corners, ridge); ++hop)
             if (hop == maxHops - 1)
                 pair.around[i] = aroundIntricate; // too far for hops: the cells know
-        if (pair.around[i] == aroundIntricate) tryCells(i, here, corners);
-        return measured(i, here, corners);
+        if (pair.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
+        Tracked<Work> out = measured(i, here, corners);
+        out.ridge = ridge && out.at.gap < 0;
+        return out;
     }
 
 private:
     FPM_KERNEL Tracked<Work>
     measured(Index i, const Candidate<Work>& here, const FaceCorners<Work>& corners) const
     {
-        Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false};
+        Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false, false};
         out.at = SignedGap<Precision>{pair, i}.at(here.face, corners, here.point, out.beyond);
         return out;
     }
@@ -151,16 +170,23 @@ private:
                     target = pair.faceTarget[4 * std::size_t(start) + std::size_t(nearest)];
         here.point = closestPoint(corners, Work(0), Work(0));
         for (Index k = pair.targetFaceStart[target]; k < pair.targetFaceStart[target + 1]; ++k)
-            if (pair.targetFaces[k] != start) moved(i, pair.targetFaces[k], here, corners);
+            if (bool ridge; pair.targetFaces[k] != start)
+                moved(i, pair.targetFaces[k], here, corners, ridge);
     }
 
-    /// Moves to a face that is nearer by more than rounding.
-    FPM_KERNEL bool
-    moved(Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    /// Moves to a face that is nearer by more than rounding. `ridge`: both are as near, each with
+    /// a foot inside it.
+    FPM_KERNEL bool moved(
+        Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
         if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) return false;
         const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
+        if (found.where == insideFace && here.point.where == insideFace
+            && isAsNear(found.square, here.point.square, squareOfDiagonal(there))) {
+            ridge = true;
+            return false;
+        }
         if (!(found.square < less * here.point.square)
             || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
             return false;
@@ -170,8 +196,10 @@ private:
     }
 
     /// Moves to a neighbour that is nearer by more than rounding, if there is one.
-    FPM_KERNEL bool hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    FPM_KERNEL bool
+    hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
+        ridge = false;
         Index across[2];
         const Index* list = across;
         Index count = 0;
@@ -183,7 +211,7 @@ private:
         } else
             count = acrossEdges(i, here, corners, across);
         for (Index k = 0; k < count; ++k)
-            if (moved(i, list[k], here, corners)) return true;
+            if (moved(i, list[k], here, corners, ridge)) return true;
         return false;
     }
 
@@ -237,7 +265,8 @@ private:
         const Work first = dot(a, normal), second = dot(b, normal);
         const Work bend =
             behind ? (first < second ? -first : -second) : (first > second ? first : second);
-        return bend > 0 && bend * bend > Work(1e-10) * dot(normal, normal) * dot(a, a);
+        constexpr Work little = sizeof(Work) == 8 ? Work(1e-20) : Work(1e-10);
+        return bend > 0 && bend * bend > little * dot(normal, normal) * dot(a, a);
     }
 
     FPM_KERNEL void tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const

@@ -72,8 +72,8 @@ def apart(whole, part, factor, skip):
 
 
 def plate(binaries, marks):
-    """A coarse plate, every step of its first microsecond: fewer than the roundings of loose layers
-    need to grow."""
+    """A coarse plate over its first impacts: longer, and the roundings of its loose layers, a few
+    contactors in touch at a time, grow to anything."""
     with wholePlate(binaries, 12, 1, 4, 1e-6, 0, 0.1) as case:
         quarter, said = reduced(case, "symmetry,elastic,friction", "-pilot", "1")
         marks.true("both planes are found", "mirror planes x = 0, y = 0: the quarter" in said)
@@ -88,7 +88,7 @@ def plate(binaries, marks):
         marks.true("an existing folder is refused", again.returncode == COMMAND_LINE)
         again = case.start("fpmAdvise", "-apply", "damping", "-to", str(case.root.parent / "none"))
         marks.true("so is what nothing was found of", again.returncode == COMMAND_LINE)
-    with wholePlate(binaries, 12, 1, 4, 1e-6, 0, 0) as case:
+    with wholePlate(binaries, 12, 1, 4, 5e-5, 5e-7, 0) as case:
         case.solve()
         quarter, _ = reduced(case, "symmetry,elastic")
         error, name = apart(case, quarter, 4, "xy")
@@ -154,17 +154,13 @@ def check(binaries, marks):
 
 
 def tutorial(binaries, marks):
-    """The plate as shipped, whole and cut, over all of its 0.4 ms: what rounding makes of loose
-    layers in contact is told, not judged, but for the path of the rod."""
+    """The plate as shipped, whole and cut, over all of its 0.4 ms."""
     with wholePlate(binaries, 100, 2, 20, 4e-4, 1e-6, 0) as case:
         case.solve()
         seconds = case.performance()["wallSeconds"]
         quarter, said = reduced(case, "symmetry,elastic")
         marks.true("both planes are found", "mirror planes x = 0, y = 0: the quarter" in said)
-        a, b = case.table("rodCentre/0/displacement.dat"), quarter.table(
-            "rodCentre/0/displacement.dat")
-        marks.below("path of the rod, L2", math.hypot(*(x - y for x, y in zip(a["uz"], b["uz"])))
-                    / math.hypot(*a["uz"]), 1e-5)
         error, name = apart(case, quarter, 4, "xy")
-        marks.figure("worst of all columns", f"{error:.2g} ({name})")
+        marks.true(f"quarter plate beside the whole, worst {name}: {error:.2g} (< 1e-06)",
+                   error < 1e-6)
         marks.figure("seconds", f"{seconds:.3g} -> {quarter.performance()['wallSeconds']:.3g}")

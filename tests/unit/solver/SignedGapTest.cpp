@@ -271,6 +271,52 @@ TEST(Tracking, FollowsTheNearestFaceOverRidgesAndValleysWithoutASearch)
     }
 }
 
+/// Four faces that meet at (0.5, 0.5), as high as `x` and `y` slopes make it there.
+Grid hip(double x, double y)
+{
+    return grid(2, 2, [=](double u, double v) {
+        return Point{u, v, -x * std::abs(u - 0.5) - y * std::abs(v - 0.5)};
+    });
+}
+
+TEST(Tracking, InsideARidgeTheForceBelongsToAllFacesAsNear)
+{
+    // Below a ridge, its two faces; below a hipped top, four; off the middle, one, even by so
+    // little that the ridge is flat to the search.
+    struct Case {
+        double x, y, off;
+        int faces;
+    };
+    for (const Case& c : {Case{0.2, 0, 0, 2},
+                          {1e-3, 0, 0, 2},
+                          {1e-7, 0, 0, 2},
+                          {0.2, 0.1, 0, 4},
+                          {1e-3, 2e-3, 0, 4},
+                          {0.2, 0, 1e-4, 1},
+                          {1e-3, 0, 1e-4, 1}}) {
+        const Grid top = hip(c.x, c.y);
+        const double v = c.y > 0 ? 0.5 : 0.3;
+        SearchScene scene(top.points, top.faces, {{0.5 + c.off, v, -0.01}});
+        scene.search();
+        const Tracked<double> now = scene.follow(0);
+        EXPECT_EQ(now.ridge, c.faces > 1) << c.x << ' ' << c.y << ' ' << c.off;
+        if (!now.ridge) continue;
+        const RidgeFaces<DoublePrecision> faces = scene.ridge(0, now);
+        ASSERT_EQ(faces.count, c.faces) << c.x << ' ' << c.y;
+        // A force askew in one face: across both planes of symmetry its images cancel.
+        const Vec3<double> force = now.at.normal + Vec3<double>{0.3, 0.2, 0.1};
+        Vec3<double> sum{0, 0, 0};
+        for (int k = 0; k < faces.count; ++k) {
+            sum += faces.image(k, force);
+            const Vec3<double> normal = faces.image(k, now.at.normal);
+            EXPECT_NEAR(dot(normal, faces.normal[k]), 1, 1e-12);
+        }
+        EXPECT_NEAR(sum.x, 0, 1e-12);
+        EXPECT_NEAR(sum.y, c.faces == 4 ? 0 : 2 * force.y, 1e-12);
+        EXPECT_NEAR(sum.z, c.faces * force.z, 1e-12);
+    }
+}
+
 TEST(Tracking, SeesTheOppositeFlankOfAGroove)
 {
     // F1: a V of 20 degrees, one long face on the left, eight on the right. A point goes from flank

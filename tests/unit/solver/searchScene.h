@@ -67,6 +67,11 @@ public:
         return now;
     }
 
+    RidgeFaces<DoublePrecision> ridge(Index query, const Tracked<double>& now)
+    {
+        return {view(), query, now.face, now.at};
+    }
+
     /// Nearest partner of all faces, by trying each.
     Candidate<double> bruteForce(Index query)
     {

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "kernels/contact/SignedGap.h"
+
+namespace fpm {
+
+/// Whether squares of distances to two faces are equal: but for a share that is more than rounding
+/// makes of a symmetric model while it runs, and for the rounding of positions. `size`: square of a
+/// face's diagonal.
+template <class Work>
+FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
+{
+    constexpr bool fine = sizeof(Work) == 8;
+    const Work share = fine ? Work(1e-5) : Work(1e-2), rounding = fine ? Work(1e-20) : Work(1e-12),
+               apart = other - here;
+    return apart * apart < here * (share * share * here + rounding * size);
+}
+template <class Work>
+FPM_KERNEL Work squareOfDiagonal(const FaceCorners<Work>& face)
+{
+    const Vec3<Work> diagonal = face.corner[2] - face.corner[0];
+    return dot(diagonal, diagonal);
+}
+
+/// Faces to which a contactor inside a ridge is as near as to `face`, its feet inside all of them:
+/// those around one corner, four at most. The force belongs to all in equal shares, or a symmetric
+/// scene would move to one side.
+template <class Precision>
+struct RidgeFaces {
+    using Work = typename Precision::Work;
+    static constexpr int most = 4;
+
+    Index face[most]; ///< the first is the one it is tracked on
+    Work xi[most], eta[most];
+    Vec3<Work> normal[most];
+    bool adjacent[most]; ///< they have an edge in common with the first
+    int count = 1;
+
+    FPM_KERNEL
+    RidgeFaces(const PairView<Precision>& pair, Index i, Index first, const Projection<Work>& at)
+    {
+        face[0] = first;
+        xi[0] = at.xi;
+        eta[0] = at.eta;
+        normal[0] = at.normal;
+        adjacent[0] = true;
+        const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
+        const Index target = pair.faceTarget[4 * std::size_t(first) + std::size_t(corner)];
+        const Work square = at.gap * at.gap;
+        for (Index k = pair.targetFaceStart[target];
+             k < pair.targetFaceStart[target + 1] && count < most; ++k)
+            if (pair.targetFaces[k] != first && pair.mayTouch(i, pair.targetFaces[k]))
+                add(pair, i, pair.targetFaces[k], square);
+    }
+
+    /// What a force in the first face is in another: its image in the plane between two neighbours,
+    /// turned by half a circle about the line between faces that have only a corner in common.
+    FPM_KERNEL Vec3<Work> image(int k, const Vec3<Work>& force) const
+    {
+        if (k == 0) return force;
+        const Vec3<Work> axis = adjacent[k] ? normal[0] - normal[k] : normal[0] + normal[k];
+        const Work square = dot(axis, axis), two = adjacent[k] ? Work(-2) : Work(2);
+        if (!(square > 0)) return force;
+        const Vec3<Work> along = (two * dot(force, axis) / square) * axis;
+        return adjacent[k] ? force + along : along - force;
+    }
+
+private:
+    FPM_KERNEL void add(const PairView<Precision>& pair, Index i, Index other, Work square)
+    {
+        const FaceCorners<Work> corners = pair.corners(other, pair.contactor[i]);
+        const FacePoint<Work> point = closestPoint(corners, Work(0), Work(0));
+        if (point.where != insideFace || !isAsNear(point.square, square, squareOfDiagonal(corners)))
+            return;
+        const Projection<Work> at = gapAt(corners, point.xi, point.eta);
+        if (!(at.gap < 0) || looksAway(pair, i, at.normal)) return;
+        face[count] = other;
+        xi[count] = point.xi;
+        eta[count] = point.eta;
+        normal[count] = at.normal;
+        adjacent[count] = false;
+        for (int edge = 0; edge < 4; ++edge) {
+            const Index across = pair.neighbour[4 * std::size_t(face[0]) + std::size_t(edge)];
+            if (across >= 0 && across / 4 == other) adjacent[count] = true;
+        }
+        ++count;
+    }
+};
+
+} // namespace fpm
