@@ -49,7 +49,10 @@ void readTimeStep(const Dictionary& timeStep, Control& control)
 {
     control.timeStepSafety = timeStep.numberOr("safety", 0.9, {0, 1, true, false});
     control.contactStepLimit = timeStep.numberOr("contactLimit", 0.5, {0, 2, true, false});
+    control.maximumTimeStep = timeStep.numberOr("maximum", 0.0, nonNegative());
     control.fixedTimeStep = timeStep.numberOr("fixed", 0.0, nonNegative());
+    if (control.maximumTimeStep > 0 && control.fixedTimeStep > 0)
+        timeStep.fail("maximum", "a step that is fixed has no maximum", "leave one of the two out");
     control.beyondBound = timeStep.choiceOr("beyondBound", "stop", {"stop", "go"}) == "go";
     if (control.beyondBound && !(control.fixedTimeStep > 0))
         timeStep.fail("beyondBound", "only a step that is given can be beyond the bound",

@@ -120,6 +120,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
         audit || !data_.conditions.empty() || massDamping_ > 0 || data_.relaxation.tolerance > 0;
     rules_.safety = model.control.timeStepSafety;
     rules_.contactLimit = model.control.contactStepLimit;
+    rules_.maximumStep = model.control.maximumTimeStep;
     rules_.fixedStep = model.control.fixedTimeStep;
     rules_.beyondBound = model.control.beyondBound;
     searchInterval_ = model.control.searchInterval;

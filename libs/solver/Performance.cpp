@@ -103,6 +103,8 @@ std::string stepLimit(Solver& solver, const Model& model)
 {
     const StepClock clock = solver.clock();
     if (model.control.fixedTimeStep > 0) return "timeStep.fixed";
+    if (model.control.maximumTimeStep > 0 && clock.step >= model.control.maximumTimeStep)
+        return "timeStep.maximum";
     const double element = 2 / clock.elementStep, contact = clock.contactFrequency;
     const double plain = model.control.timeStepSafety * clock.stableStep;
     if (contact < element && contact * plain <= model.control.contactStepLimit)

@@ -34,6 +34,7 @@ struct StepClock {
 struct StepRules {
     double safety = 0.9;       ///< of 2 / sqrt(omega_e^2 + omega_c^2)
     double contactLimit = 0.5; ///< omega_c dt, so that a touch creates no energy
+    double maximumStep = 0;    ///< > 0: no step is longer
     double fixedStep = 0;      ///< > 0: this step
     bool beyondBound = false;  ///< which may exceed the bound
     double growth = 1.1;       ///< largest ratio of successive steps
@@ -61,6 +62,7 @@ advanceClock(StepClock& clock, const StepRules& rules, double elementStep, doubl
     if (clock.contactFrequency * next > rules.contactLimit)
         next = rules.contactLimit / clock.contactFrequency;
     if (clock.step > 0 && next > rules.growth * clock.step) next = rules.growth * clock.step;
+    if (rules.maximumStep > 0 && next > rules.maximumStep) next = rules.maximumStep;
     if (rules.fixedStep > 0) next = rules.fixedStep;
 
     // Meet `stop` without a sliver of a last step.

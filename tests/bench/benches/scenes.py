@@ -48,7 +48,7 @@ def layers(options, count):
     return Scene("layeredPlate", f"layers.{count}", options, [
         ("system/meshDict", r"^layers +\d+;", f"layers {count};"),
         ("system/meshDict", r"^cells +\([0-9 ]+\);", f"cells ({options.cells} {options.cells} 1);"),
-        ("system/controlDict", r"fixed [0-9.e-]+;", f"fixed {options.dt!r};"),
+        ("system/controlDict", r"maximum [0-9.e-]+;", f"maximum {options.dt!r};"),
         ("system/controlDict", r"^endTime +\S+;", f"endTime {end!r};"),
         ("system/controlDict", r"^writeInterval +\S+;", f"writeInterval {end!r};"),
     ], before=lambda scene: scene.run(scene.root / "makeLayers"))

@@ -25,7 +25,6 @@ def layeredPlate(binaries, marks):
     with CaseRun("tutorials/layeredPlate", binaries) as case:
         case.replace("system/meshDict", r"^layers +\d+;", "layers 3;")
         case.replace("system/meshDict", r"^cells +\([0-9 ]+\);", "cells (25 25 1);")
-        case.replace("system/controlDict", r"fixed 1.8e-8;", "fixed 1.5e-8;")
         case.replace("system/controlDict", r"openmp;", "serial;")
         case.replace("system/probeDict", r"^pictures", "tables\n{\n    rod "
                      "{ type section; field V; set rod.top; }\n}\npictures")

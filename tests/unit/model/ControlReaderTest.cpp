@@ -145,6 +145,8 @@ TEST(ControlReader, RefusesTimesAndLimitsOutOfRange)
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; timeStep { safety 1.5; }"); }), "safety"));
     EXPECT_TRUE(
         contains(refusal([] { read("endTime 1; timeStep { beyondBound go; }"); }), "fixed"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; timeStep { maximum 1; fixed 2; }"); }),
+                         "fixed has no maximum"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; energyBalance { stop 0.001; }"); }),
                          "would stop before it warns"));
 }
