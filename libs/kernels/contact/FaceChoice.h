@@ -59,7 +59,7 @@ FPM_KERNEL bool isNearer(const Candidate<Work>& a, const Candidate<Work>& b)
 /// The nearest faces of up to `slots` bodies, one of each, nearest first.
 template <class Work>
 struct NearestFaces {
-    Candidate<Work> best[maxSlots];
+    Candidate<Work> best[maxSlots] = {};
     Index component[maxSlots];
     int count = 0;
     bool crowded = false; ///< there were more bodies than slots

@@ -103,8 +103,8 @@ bool holds(const void* memory, std::size_t bytes)
 
 bool forbidden(std::uintptr_t wanted)
 {
-    // Below: two small integers side by side, or one double; a denormal only looks like an address.
-    constexpr std::uintptr_t least = std::uintptr_t(1) << 32, most = std::uintptr_t(1) << 47;
+    // Stack, heap and libraries of Linux lie here; two integers side by side, or a double, do not.
+    constexpr std::uintptr_t least = std::uintptr_t(1) << 46, most = std::uintptr_t(1) << 47;
     if (wanted < least || wanted >= most || find(wanted)) return false;
     return msync(reinterpret_cast<void*>(wanted / page * page), page, MS_ASYNC) == 0;
 }

@@ -43,8 +43,8 @@ namespace cudaStandIn {
 
 namespace {
 
-constexpr std::size_t guardBytes = 4096, stackBytes = std::size_t(512) << 10,
-                      strideBytes = guardBytes + stackBytes;
+constexpr std::size_t guardBytes = 4096, stackBytes = std::size_t(1) << 20,
+                      strideBytes = guardBytes + stackBytes, topBytes = 8192;
 
 #ifdef __SANITIZE_ADDRESS__
 void leave(void** keep, const void* bottom, std::size_t bytes)
@@ -55,14 +55,14 @@ void arrive(void* kept, const void** bottom, std::size_t* bytes)
 {
     __sanitizer_finish_switch_fiber(kept, bottom, bytes);
 }
-void clean(std::byte* stack)
+void clean(std::byte* memory, std::size_t bytes)
 {
-    __asan_unpoison_memory_region(stack, stackBytes);
+    __asan_unpoison_memory_region(memory, bytes);
 }
 #else
 void leave(void**, const void*, std::size_t) {}
 void arrive(void*, const void**, std::size_t*) {}
-void clean(std::byte*) {}
+void clean(std::byte*, std::size_t) {}
 #endif
 
 } // namespace
@@ -92,6 +92,7 @@ bool Fibers::start(unsigned number, const std::function<void()>& body)
     fiber.stack = free_.back();
     fiber.sanitizer = nullptr;
     free_.pop_back();
+    clean(fiber.stack + stackBytes - topBytes, topBytes); // frames that nobody returned from
     // Stacks begin at different lines of the cache; six registers and where to begin lie on them.
     const std::size_t colour = std::size_t(fiber.stack - stacks_) / strideBytes % 61 * 64;
     void** top = reinterpret_cast<void**>(fiber.stack + stackBytes - colour) - 2;
@@ -144,7 +145,7 @@ void Fibers::wait()
 void Fibers::abandon(const std::vector<unsigned>& numbers)
 {
     for (const unsigned number : numbers) {
-        clean(fibers_[number].stack);
+        clean(fibers_[number].stack, stackBytes);
         free_.push_back(fibers_[number].stack);
     }
 }
