@@ -103,9 +103,7 @@ public:
     void parallelFor(Index count, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        const unsigned blocks = unsigned((std::size_t(count) + 255) / 256);
-        launchEach<<<blocks, 256, 0, stream_.get()>>>(count, kernel);
-        checkCuda(cudaGetLastError(), "kernel launch");
+        launch(launchEach<Kernel>, unsigned((std::size_t(count) + 255) / 256), 0, count, kernel);
     }
     template <class Kernel>
     void parallelBlocks(Index count, std::size_t scratchBytes, const Kernel& kernel) const
@@ -118,8 +116,7 @@ public:
                         "a patch needs " + std::to_string(scratchBytes)
                             + " bytes of shared memory, more than this GPU gives to a block",
                         "run on the CPU, or on a GPU of compute capability 9.0 or later");
-        launchBlocks<<<unsigned(count), 256, scratchBytes, stream_.get()>>>(kernel);
-        checkCuda(cudaGetLastError(), "kernel launch");
+        launch(launchBlocks<Kernel>, unsigned(count), scratchBytes, kernel);
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
     static bool alone() { return false; }
@@ -193,6 +190,21 @@ private:
         CudaOwned<cudaEvent_t> begin, end;
     };
 
+    /// kernel<<<blocks, 256, scratchBytes>>>(arguments...) as a call of the runtime, so that no
+    /// syntax of nvcc's own is needed: any compiler and any runtime of these names will do.
+    template <class... Expected, class... Arguments>
+    void launch(void (*kernel)(Expected...),
+                unsigned blocks,
+                std::size_t scratchBytes,
+                const Arguments&... arguments) const
+    {
+        cudaLaunchConfig_t shape{};
+        shape.gridDim = dim3(blocks);
+        shape.blockDim = dim3(256);
+        shape.dynamicSmemBytes = scratchBytes;
+        shape.stream = stream_.get();
+        checkCuda(cudaLaunchKernelEx(&shape, kernel, arguments...), "kernel launch");
+    }
     CudaOwned<cudaEvent_t> stamp() const
     {
         cudaEvent_t event = nullptr;

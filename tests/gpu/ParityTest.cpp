@@ -3,11 +3,13 @@
 // where there is no GPU.
 
 #include "base/Error.h"
-#include "unit/solver/kindScenes.h"
+#include "gpu/parityScenes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 
 namespace fpm::test {
 namespace {
@@ -26,138 +28,64 @@ std::string backendUnderTest()
     return named ? named : "cuda";
 }
 
-/// A block strikes a larger one and slides; several patches.
-Model impact(PartKind kind, HourglassForm form)
-{
-    Model model =
-        twoBlocks(aluminium(kind, form), aluminium(PartKind::elastic, HourglassForm::stiffness),
-                  {3e4, -2e4, -1e5}, 0.3);
-    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
-    return model;
-}
+/// What two backends must agree on: the state, and all that the host is told.
+struct Outcome {
+    std::uint64_t state = 0;
+    std::map<std::string, std::vector<double>> read;
 
-Model plain()
-{
-    return impact(PartKind::elastoplastic, HourglassForm::physical);
-}
-
-struct Scene {
-    std::string name;
-    Model model;
+    void add(const std::string& name, const std::vector<double>& values)
+    {
+        std::vector<double>& all = read[name];
+        all.insert(all.end(), values.begin(), values.end());
+    }
 };
 
-/// Elements and materials: one scene a kernel, and the options of the general one.
-void addElements(std::vector<Scene>& scenes)
+void expectEqual(const Outcome& got, const Outcome& expected)
 {
-    for (const auto& [name, form] : {std::pair{"stiffness", HourglassForm::stiffness},
-                                     std::pair{"viscous", HourglassForm::viscous},
-                                     std::pair{"physical", HourglassForm::physical}})
-        for (const PartKind kind : {PartKind::elastic, PartKind::elastoplastic}) {
-            const std::string material = kind == PartKind::elastic ? "elastic " : "plastic ";
-            scenes.push_back({material + name, impact(kind, form)});
-            scenes.push_back({"polar " + material + name, impact(kind, form)});
-            scenes.back().model.parts[1].rotation = RotationForm::polar;
-        }
-    Model selective = plain();
-    selective.parts[1].hexahedron = HexahedronForm::selective;
-    selective.parts[1].rotation = RotationForm::hughesWinget;
-    scenes.push_back({"selective", selective});
-    Model general = plain();
-    Flow& flow = general.parts[1].flow;
-    flow.kinematicModulus = 500;
-    flow.rate = RateDependence::johnsonCook;
-    flow.referenceRate = 1;
-    flow.rateCoefficient = 0.01;
-    flow.heatFraction = 0.9;
-    flow.specificHeat = 9e8;
-    flow.softeningExponent = 1;
-    flow.meltingTemperature = 900;
-    general.parts[1].hourglassPlastic = HourglassPlastic::tangent;
-    scenes.push_back({"kinematic, rate, heat", general});
-    Model eroding = plain();
-    eroding.parts[1].erosion.plasticStrain = 0.02;
-    scenes.push_back({"erosion", eroding});
-    Model scaled = plain();
-    for (Part& part : scaled.parts) part.massFactor = 4;
-    scenes.push_back({"mass scaling", scaled});
+    EXPECT_EQ(got.state, expected.state);
+    for (const auto& [name, values] : expected.read) {
+        const std::vector<double>& found = got.read.at(name);
+        ASSERT_EQ(found.size(), values.size()) << name;
+        const auto [mine, other] = std::mismatch(found.begin(), found.end(), values.begin());
+        EXPECT_TRUE(mine == found.end())
+            << name << " " << mine - found.begin() << ": " << *mine << ", expected " << *other;
+    }
 }
 
-/// Kinds of contact, laws and searches.
-void addContacts(std::vector<Scene>& scenes)
+Outcome outcomeOf(Solver& solver, const Model& model)
 {
-    Model twice = plain(), all = plain(), fold = closingFold(), paper = plain(), damped = plain();
-    twice.contactPairs[0].passes = 2;
-    scenes.push_back({"two passes", twice});
-    all.mesh.contact.clear();
-    all.contactPairs.clear();
-    addGeneral(all).friction = 0.3;
-    scenes.push_back({"general contact", all});
-    const std::vector<ElementSide> sides = skin(fold.mesh, 0);
-    addContact(fold, "own", sides, sides).kind = ContactKind::self;
-    scenes.push_back({"self-contact", fold});
-    for (Part& part : paper.parts) part.rotation = RotationForm::arcsine;
-    paper.control.midStepStrain = false;
-    ContactPair& pair = paper.contactPairs[0];
-    pair.search = ContactSearch::closestParticle;
-    pair.projection = ContactProjection::cold;
-    pair.paperFriction = true;
-    scenes.push_back({"algorithm of the paper", paper});
-    damped.contactPairs[0].normalDamping = 0.2;
-    damped.contactPairs[0].dynamicFriction = 0.1;
-    damped.contactPairs[0].frictionDecay = 1e-5;
-    scenes.push_back({"contact damping, decaying friction", damped});
-
-    Model wall = plain();
-    wall.mesh.contact.clear();
-    wall.contactPairs.clear();
-    RigidSurface surface;
-    surface.name = "wall";
-    addContact(wall, "wall", facing(wall.mesh, "upper", {0, 0, -1}), {}).surface = 0;
-    wall.contactPairs[0].friction = 0.2;
-    wall.rigidSurfaces.push_back(surface);
-    scenes.push_back({"analytic wall", wall});
+    Outcome out{solver.stateChecksum(), {}};
+    const Energies e = solver.energies();
+    out.add("energies", {e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity,
+                         e.contact, e.friction, e.contactDamping, e.damping, e.external});
+    const NodalWorks w = solver.nodalWorks();
+    out.add("works", {w.internal, w.contact, w.external, w.drives, w.damping});
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
+        const PairForce f = solver.pairForce(pair);
+        out.add("pair force", {f.force.begin(), f.force.end()});
+        out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
+                         f.friction, f.damping});
+    }
+    for (std::size_t body = 0; body < solver.data().body.part.size(); ++body) {
+        const BodyMotionValues b = solver.bodyMotion(body);
+        for (const Point& p : {b.displacement, b.velocity, b.spin, b.force, b.moment, b.momentum})
+            out.add("body", {p.begin(), p.end()});
+    }
+    out.add("step, contact limit", {solver.clock().step, solver.contactLimit().frequency});
+    out.add("nodes", solver.nodeValues({}).values);
+    const ElementValues elements = solver.elementValues();
+    out.add("stress", elements.stress);
+    out.add("plastic strain", elements.plasticStrain);
+    return out;
 }
 
-/// Drives, loads, damping, free rigid bodies, relaxation.
-void addMotions(std::vector<Scene>& scenes)
-{
-    using Kind = BoundaryCondition::Kind;
-    Model body = plain();
-    body.parts[1].kind = PartKind::rigidFree;
-    body.initialVelocities[0].part = 1;
-    scenes.push_back({"free rigid body", body});
-    Model driven = plain();
-    driven.control.massDamping = 100;
-    const auto top = nodesWhere(driven.mesh, [](Point p) { return p[2] > 5.99; });
-    driven.boundaryConditions.push_back(
-        condition(Kind::velocity, "push", top, {true, false, true}, {1e4, 0, -1e5}));
-    BoundaryCondition weight = condition(Kind::gravity, "weight", {}, {}, {0, 0, -1e9});
-    weight.parts = {0, 1};
-    driven.boundaryConditions.push_back(weight);
-    BoundaryCondition press = condition(Kind::pressure, "press", {}, {}, {200, 0, 0});
-    press.sides = facing(driven.mesh, "upper", {1, 0, 0});
-    driven.boundaryConditions.push_back(press);
-    scenes.push_back({"drive, gravity, pressure, damping", driven});
-    Model relaxing = plain();
-    relaxing.control.relaxationTolerance = 1e-6;
-    scenes.push_back({"dynamic relaxation", relaxing});
-}
-
-std::vector<Scene> scenes()
-{
-    std::vector<Scene> all;
-    addElements(all);
-    addContacts(all);
-    addMotions(all);
-    return all;
-}
-
-/// Checksum after the steps asked for; `calls`: that the host interrupts them.
-std::uint64_t checksumOf(Model model, const std::string& backend, int calls = 1)
+/// After the steps asked for; `calls`: that the host interrupts them; `audit`: with all works of
+/// nodes.
+Outcome outcomeOf(Model model, const std::string& backend, int calls = 1, bool audit = false)
 {
     model.control.backend = backend;
     model.control.threads = 2;
-    const auto solver = startedSolver(model);
+    const auto solver = startedSolver(model, audit);
     const int steps = stepsAsked();
     for (int call = 0; call < calls; ++call) {
         solver->advance(1, steps * (call + 1) / calls - steps * call / calls);
@@ -165,7 +93,7 @@ std::uint64_t checksumOf(Model model, const std::string& backend, int calls = 1)
     }
     EXPECT_FALSE(solver->clock().failed);
     EXPECT_EQ(solver->clock().steps, steps);
-    return solver->stateChecksum();
+    return outcomeOf(*solver, model);
 }
 
 class Parity : public testing::TestWithParam<Precision>
@@ -189,7 +117,7 @@ TEST_P(Parity, EveryKernelLeavesTheBitsOfTheProcessor)
     for (Scene& scene : scenes()) {
         SCOPED_TRACE(scene.name);
         scene.model.control.precision = GetParam();
-        EXPECT_EQ(checksumOf(scene.model, backendUnderTest()), checksumOf(scene.model, "serial"));
+        expectEqual(outcomeOf(scene.model, backendUnderTest()), outcomeOf(scene.model, "serial"));
     }
 }
 
@@ -197,14 +125,26 @@ TEST_P(Parity, TwoRunsAreEqual)
 {
     Model model = plain();
     model.control.precision = GetParam();
-    EXPECT_EQ(checksumOf(model, backendUnderTest()), checksumOf(model, backendUnderTest()));
+    expectEqual(outcomeOf(model, backendUnderTest()), outcomeOf(model, backendUnderTest()));
 }
 
 TEST_P(Parity, PausesOfTheHostDoNotChangeTheState)
 {
     Model model = plain();
     model.control.precision = GetParam();
-    EXPECT_EQ(checksumOf(model, backendUnderTest(), 16), checksumOf(model, "serial"));
+    expectEqual(outcomeOf(model, backendUnderTest(), 16), outcomeOf(model, "serial"));
+}
+
+TEST_P(Parity, WorksOfNodesAreEqual)
+{
+    std::vector<Scene> scenes;
+    addMotions(scenes);
+    for (Scene& scene : scenes) {
+        SCOPED_TRACE(scene.name);
+        scene.model.control.precision = GetParam();
+        expectEqual(outcomeOf(scene.model, backendUnderTest(), 1, true),
+                    outcomeOf(scene.model, "serial", 1, true));
+    }
 }
 
 /// The scenes do what they are named for: else equal bits would say little.
