@@ -22,5 +22,5 @@ function(fpmCudaObjects target)
     set_target_properties(${target} PROPERTIES CXX_STANDARD_REQUIRED OFF CXX_EXTENSIONS ON)
     target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/libs)
     target_compile_options(${target} PRIVATE -std=c++20 --fmad=false --expt-relaxed-constexpr
-        --Werror=all-warnings -Xcompiler=-march=x86-64-v3,-ffp-contract=off,-fno-math-errno)
+        --Werror=all-warnings -Xcompiler=-march=x86-64-v3,-ffp-contract=off,-fno-math-errno,-fno-tree-slp-vectorize)
 endfunction()

@@ -66,15 +66,17 @@ struct NearestFaces {
 
     FPM_KERNEL void add(const Candidate<Work>& face, Index body, int slots)
     {
+        // `count` is never more; said once more for compilers that warn.
+        const int held = count < maxSlots ? count : maxSlots;
         int at = 0;
-        while (at < count && component[at] != body) ++at;
-        if (at < count) {
+        while (at < held && component[at] != body) ++at;
+        if (at < held) {
             if (!isNearer(face, best[at])) return;
-        } else if (count < slots)
-            ++count;
+        } else if (held < slots)
+            count = held + 1;
         else {
             crowded = true;
-            at = count - 1;
+            at = held - 1;
             if (!isNearer(face, best[at])) return;
         }
         for (; at > 0 && isNearer(face, best[at - 1]); --at) {
