@@ -74,18 +74,19 @@ private:
         }
         const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
+        CornerCouple<Work> couple;
         if (gap < 0) {
             const Work pressed =
                 pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if (pair.law.friction.acts())
-                force += tangential(i, face, origin, at, stiffness, pressed, held);
+                force += tangential(i, face, origin, at, stiffness, pressed, held, couple);
             pair.law.spring[i] = pair.law.energy(stiffness, gap, held);
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, face, at, gap < 0, force, stiffness);
+        share(i, face, at, gap < 0, force, stiffness, couple);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -126,14 +127,15 @@ private:
 
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
     /// contactor has come from another one, that face as it lies now hands it over. `held`: the
-    /// force as it is stored.
+    /// force as it is stored. `couple`: what balances its moment with that on the face.
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      Index face,
                                      const Origin& origin,
                                      const Projection<Work>& at,
                                      Work stiffness,
                                      Work pressed,
-                                     Vec3<Work>& held) const
+                                     Vec3<Work>& held,
+                                     CornerCouple<Work>& couple) const
     {
         const PairLaw<Work>& law = pair.law;
         held = law.storedVector(i);
@@ -150,32 +152,34 @@ private:
             }
             law.storedFace[i] = face;
         }
-        Vec3<Work> way = origin.face == face
-                             ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                             : wayAcross(i, face, corners, origin, at);
+        Vec3<Work> way = wayOver(i, face, corners, origin, at);
         if (isOnBorder(at.xi, at.eta) || isOnBorder(origin.xi, origin.eta))
             way += wayBeyond(i, corners, origin, at);
         const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
-        return frame.vector(held, at.normal);
+        const Vec3<Work> force = frame.vector(held, at.normal);
+        couple = CornerCouple<Work>(corners, at.xi, at.eta, force);
+        return force;
     }
 
-    /// Way over the target in a step in which the contactor came to another face: that of the foot,
-    /// as on one face. Inside a ridge the foot leaps to the other side where that becomes the
-    /// nearer one; nobody went there, and the nodes' own way counts.
-    FPM_KERNEL Vec3<Work> wayAcross(Index i,
-                                    Index face,
-                                    const FaceCorners<Work>& corners,
-                                    const Origin& origin,
-                                    const Projection<Work>& at) const
+    /// Way of the contactor as the target sees it, which turns: that of the foot plus gap times the
+    /// change of the normal, both on the target as it lies now. What the normal turns by at an edge
+    /// counts when the contactor comes to the other face. Inside a ridge, where the other side
+    /// becomes the nearer one, the foot leaps and the normal with it: their sum does not.
+    FPM_KERNEL Vec3<Work> wayOver(Index i,
+                                  Index face,
+                                  const FaceCorners<Work>& corners,
+                                  const Origin& origin,
+                                  const Projection<Work>& at) const
     {
-        Vec3<Work> offset, t1, t2;
-        evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
-        const Vec3<Work> foot = slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
-                                                 origin.xi, origin.eta, offset),
-                         node = relativeWay(i, face, at);
-        const bool leapt = dot(foot, foot) > Work(4) * dot(node, node);
-        return leapt ? node : foot;
+        Vec3<Work> offset, before;
+        const Vec3<Work> normal = normalOn(corners, at.xi, at.eta, offset);
+        if (origin.face == face)
+            return slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
+                   + at.gap * (normal - normalOn(corners, origin.xi, origin.eta, before));
+        const Vec3<Work> last =
+            normalOn(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta, before);
+        return (before - offset) + at.gap * (normal - last);
     }
 
     FPM_KERNEL static bool isOnBorder(Work xi, Work eta)
@@ -223,14 +227,16 @@ private:
                                            unit(cross(t1, t2)));
     }
 
-    /// Shares of the four corners, -N_I F, and the contactor's force as minus their exact sum. The
-    /// stiffness of every spring within reach enters the bound of the step before it closes.
+    /// Shares of the four corners, -N_I F and the couple's, and the contactor's force as minus
+    /// their exact sum. The stiffness of every spring within reach enters the bound of the step
+    /// before it closes.
     FPM_KERNEL void share(Index i,
                           Index face,
                           const Projection<Work>& at,
                           bool closed,
                           const Vec3<Work>& force,
-                          Work stiffness) const
+                          Work stiffness,
+                          const CornerCouple<Work>& couple) const
     {
         Work n[4];
         shapeFunctions(at.xi, at.eta, n);
@@ -240,9 +246,11 @@ private:
         for (int k = 0; k < 4; ++k) {
             const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
             if (closed) {
-                const std::int64_t part[3] = {sums.scale.force(double(-n[k] * force.x)),
-                                              sums.scale.force(double(-n[k] * force.y)),
-                                              sums.scale.force(double(-n[k] * force.z))};
+                Vec3<Work> onCorner = -n[k] * force;
+                if (pair.law.friction.acts()) onCorner += couple.at(k);
+                const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
+                                              sums.scale.force(double(onCorner.y)),
+                                              sums.scale.force(double(onCorner.z))};
                 for (int c = 0; c < 3; ++c) own[c] -= part[c];
                 sums.addForce(corner, part);
             }
