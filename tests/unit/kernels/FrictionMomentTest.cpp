@@ -34,13 +34,14 @@ public:
           v_(x_.size(), V{0, 0, 0})
     {
         law_.count = 1;
-        law_.friction = {friction, friction, 0, tangentialRatio, false};
         law_.stored = stored_;
         law_.storedFace = &storedFace_;
         law_.spring = &spring_;
         law_.dissipated = &dissipated_;
         law_.limitFactor = 1;
         clock_.step = step;
+        press(); // finds the foot
+        law_.friction = {friction, friction, 0, tangentialRatio, false};
         press();
     }
 
@@ -139,7 +140,7 @@ std::vector<V> warped(const V& contactor)
             {-0.3, 2, 0.25}, {2.1, 1.8, -0.2}, {3.9, 2.2, 0.6}};
 }
 const std::vector<V> insidePlaces{{0.5, 1.3, -0.2}, {1.2, 0.4, -0.3}, {3.1, 1.2, -0.1}};
-const V inValley{2.02, 1.1, -0.4}, beyondTheRim{0.8, 0.065, -0.3};
+const V inValley{2.02, 1.1, -0.4}, beyondTheRim{0.8, -0.05, -0.3};
 
 std::vector<V> noise(unsigned seed, double most)
 {
@@ -217,14 +218,14 @@ TEST(FrictionMoment, WorkIsTheForceTimesTheSlipThatIsMeasured)
     for (const V& place : insidePlaces)
         for (unsigned seed = 0; seed < 5; ++seed) {
             double error[2];
-            for (const double small : {1e-3, 1e-4}) {
+            for (const double small : {1e-4, 1e-5}) {
                 OneContactor rough(10, warped(place)), smooth(0, warped(place));
                 const std::vector<V> first = noise(7, 0.05);
                 rough.move(first);
                 smooth.move(first);
                 const double held = rough.held(),
                              work = frictionWork(rough, smooth, noise(seed, small));
-                error[small < 5e-4] = std::abs(rough.held() - held + work) / small;
+                error[small < 5e-5] = std::abs(rough.held() - held + work) / small;
             }
             EXPECT_LT(error[0], 3e-3) << seed;
             EXPECT_LT(error[1], 0.2 * error[0] + 1e-9) << seed;
