@@ -143,11 +143,19 @@ struct CornerCouple {
         }
         const Work square = dot(area, area);
         if (!(square > 0)) return;
+        Vec3<Work> across = force;
+        const bool onXi = xi * xi >= Work(1), onEta = eta * eta >= Work(1);
+        if (onXi != onEta) { // along an edge its two corners balance it, whichever face it is of
+            const Vec3<Work> edge = onXi ? t2 : t1;
+            const Work part = dot(force, edge) / dot(edge, edge);
+            (onXi ? alongEta : alongXi) = part * lever;
+            across = force - part * edge;
+        }
         // w x t^alpha with the dual tangents t^alpha has the moment w + (w . n) n.
-        const Vec3<Work> couple = (Work(1) / square) * cross(force, lever);
+        const Vec3<Work> couple = (Work(1) / square) * cross(across, lever);
         const Work drill = Work(0.5) * dot(couple, area);
-        alongXi = drill * t2 - dot(couple, t2) * area;
-        alongEta = dot(couple, t1) * area - drill * t1;
+        alongXi += drill * t2 - dot(couple, t2) * area;
+        alongEta += dot(couple, t1) * area - drill * t1;
     }
     /// Force on corner k.
     FPM_KERNEL Vec3<Work> at(int k) const
