@@ -213,7 +213,8 @@ void addContact(SolverData& data, const Model& model)
         double depth = made.deepest;
         for (const double thickness : made.faceThickness) depth = std::max(depth, thickness);
         // Damping at the speed that crosses the depth in one step, omega dt down to 2e-3 zeta.
-        const double most = 1 + made.law.friction + (made.law.normalDamping > 0 ? 1e3 : 0);
+        // Friction has a couple too, on faces down to a seventh as wide as the contactor is deep.
+        const double most = 1 + 8 * made.law.friction + (made.law.normalDamping > 0 ? 1e3 : 0);
         largestForce = std::max(largestForce, stiffness * depth * most);
         largestStiffness = std::max(largestStiffness, 2 * stiffness * dampingLimit(made.law));
         data.contactNodes.insert(data.contactNodes.end(), made.contactor.begin(),

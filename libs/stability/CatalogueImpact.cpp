@@ -258,11 +258,15 @@ std::vector<Failure> impactFailures()
         {.number = 22,
          .name = "obliqueImpact",
          .fails = "Force and reaction do not act along one line.",
-         .quantity = "change of the angular momentum over itself, without friction",
+         .quantity = "change of the angular momentum over itself, with friction",
          .limit = 1e-11,
          .reason = "conservation",
-         .remedy = "the force acts along the line to its foot",
-         .run = [](Way way) { return momentumChange(inWay(freeBlocks(0), way), angularMomentum); }},
+         .expected = {Fate::holds, Fate::loses, Fate::none},
+         .remedy =
+             "the force acts along the line to its foot; a couple on the face balances friction",
+         .note = "eqs. 17-18 as printed leave the moment friction times gap",
+         .run =
+             [](Way way) { return momentumChange(inWay(freeBlocks(0.3), way), angularMomentum); }},
         {.number = 27,
          .name = "repeatedRun",
          .fails = "Sums in the order of threads give every run other numbers.",

@@ -74,18 +74,22 @@ private:
         }
         const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
+        Vec3<Work> rubbing{0, 0, 0};
         if (gap < 0) {
             const Work pressed =
                 pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
-            if (pair.law.friction.acts())
-                force += tangential(i, face, origin, at, stiffness, pressed, held);
+            if (pair.law.friction.acts()) {
+                const Vec3<Work> along = tangential(i, face, origin, at, stiffness, pressed, held);
+                force += along;
+                if (!pair.law.friction.paper) rubbing = along;
+            }
             pair.law.spring[i] = pair.law.energy(stiffness, gap, held);
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, force, stiffness);
+        share(i, now, gap < 0, force, rubbing, stiffness);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -150,9 +154,7 @@ private:
             }
             law.storedFace[i] = face;
         }
-        Vec3<Work> way = origin.face == face
-                             ? slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                             : wayAcross(i, face, corners, origin, at);
+        Vec3<Work> way = wayOver(i, face, corners, origin, at);
         if (isOnBorder(at.xi, at.eta) || isOnBorder(origin.xi, origin.eta))
             way += wayBeyond(i, corners, origin, at);
         const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
@@ -160,22 +162,24 @@ private:
         return frame.vector(held, at.normal);
     }
 
-    /// Way over the target in a step in which the contactor came to another face: that of the foot,
-    /// as on one face. Inside a ridge the foot leaps to the other side where that becomes the
-    /// nearer one; nobody went there, and the nodes' own way counts.
-    FPM_KERNEL Vec3<Work> wayAcross(Index i,
-                                    Index face,
-                                    const FaceCorners<Work>& corners,
-                                    const Origin& origin,
-                                    const Projection<Work>& at) const
+    /// Way of the contactor as the target sees it, which turns: that of the foot plus gap times the
+    /// change of the normal, both on the target as it lies now. What the normal turns by at an edge
+    /// counts when the contactor comes to the other face. Inside a ridge, where the other side
+    /// becomes the nearer one, the foot leaps and the normal with it: their sum does not.
+    FPM_KERNEL Vec3<Work> wayOver(Index i,
+                                  Index face,
+                                  const FaceCorners<Work>& corners,
+                                  const Origin& origin,
+                                  const Projection<Work>& at) const
     {
-        Vec3<Work> offset, t1, t2;
-        evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
-        const Vec3<Work> foot = slipBetweenFaces(pair.corners(origin.face, pair.contactor[i]),
-                                                 origin.xi, origin.eta, offset),
-                         node = relativeWay(i, face, at);
-        const bool leapt = dot(foot, foot) > Work(4) * dot(node, node);
-        return leapt ? node : foot;
+        Vec3<Work> offset, before;
+        const Vec3<Work> normal = normalOn(corners, at.xi, at.eta, offset);
+        if (origin.face == face)
+            return slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
+                   + at.gap * (normal - normalOn(corners, origin.xi, origin.eta, before));
+        const Vec3<Work> last =
+            normalOn(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta, before);
+        return (before - offset) + at.gap * (normal - last);
     }
 
     FPM_KERNEL static bool isOnBorder(Work xi, Work eta)
@@ -223,25 +227,30 @@ private:
                                            unit(cross(t1, t2)));
     }
 
-    /// Forces on the target, and the contactor's as minus their exact sum. The stiffness of every
-    /// spring within reach enters the bound of the step before it closes.
+    /// Forces on the target, and the contactor's as minus their exact sum. `rubbing`: what of the
+    /// force has a couple. The stiffness of every spring within reach enters the bound of the step
+    /// before it closes.
     FPM_KERNEL void share(Index i,
                           const Tracked<Work>& now,
                           bool closed,
                           const Vec3<Work>& force,
+                          const Vec3<Work>& rubbing,
                           Work stiffness) const
     {
         const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
         std::int64_t own[3] = {0, 0, 0};
-        if (now.ridge && closed) {
+        if (!closed)
+            loadStiffness(now.face, now.at.xi, now.at.eta, bound);
+        else if (!now.ridge)
+            load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
+        else {
             const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
             const Work part = Work(1) / Work(faces.count);
             for (int k = 0; k < faces.count; ++k)
-                load(faces.face[k], faces.xi[k], faces.eta[k], closed, part * faces.image(k, force),
-                     part * bound, own);
-        } else
-            load(now.face, now.at.xi, now.at.eta, closed, force, bound, own);
+                load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
+                     part * faces.image(k, rubbing), part * bound, own);
+        }
         if (closed) {
             sums.addForce(pair.contactorNumber[i], own);
             for (int c = 0; c < 3; ++c)
@@ -249,29 +258,42 @@ private:
         }
         sums.addStiffness(pair.contactorNumber[i], double(bound));
     }
-    /// Shares of the four corners, -N_I F; `own` takes what balances them.
-    FPM_KERNEL void load(Index face,
+    /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
+    FPM_KERNEL void load(Index i,
+                         Index face,
                          Work xi,
                          Work eta,
-                         bool closed,
                          const Vec3<Work>& force,
+                         const Vec3<Work>& rubbing,
                          Work bound,
                          std::int64_t (&own)[3]) const
     {
         Work n[4];
         shapeFunctions(xi, eta, n);
+        CornerCouple<Work> couple;
+        const bool rubs = pair.law.friction.acts();
+        if (rubs)
+            couple = CornerCouple<Work>(pair.corners(face, pair.contactor[i]), xi, eta, rubbing);
         const ContactSums& sums = pair.sums;
         for (int k = 0; k < 4; ++k) {
             const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
-            if (closed) {
-                const std::int64_t part[3] = {sums.scale.force(double(-n[k] * force.x)),
-                                              sums.scale.force(double(-n[k] * force.y)),
-                                              sums.scale.force(double(-n[k] * force.z))};
-                for (int c = 0; c < 3; ++c) own[c] -= part[c];
-                sums.addForce(corner, part);
-            }
+            Vec3<Work> onCorner = -n[k] * force;
+            if (rubs) onCorner += couple.at(k);
+            const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
+                                          sums.scale.force(double(onCorner.y)),
+                                          sums.scale.force(double(onCorner.z))};
+            for (int c = 0; c < 3; ++c) own[c] -= part[c];
+            sums.addForce(corner, part);
             sums.addStiffness(corner, double(n[k] * bound));
         }
+    }
+    FPM_KERNEL void loadStiffness(Index face, Work xi, Work eta, Work bound) const
+    {
+        Work n[4];
+        shapeFunctions(xi, eta, n);
+        for (int k = 0; k < 4; ++k)
+            pair.sums.addStiffness(pair.faceNumber[4 * std::size_t(face) + k],
+                                   double(n[k] * bound));
     }
 };
 

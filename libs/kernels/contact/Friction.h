@@ -93,8 +93,8 @@ struct FaceFrame {
     }
 };
 
-/// Way of the contact point over the material of a face, from (xiOld, etaOld) to (xi, eta) on the
-/// face as it lies now: exact for a bilinear face, and zero whatever rigid motion the bodies share.
+/// Way of the foot over the material of a face, from (xiOld, etaOld) to (xi, eta) on the face as it
+/// lies now: exact for a bilinear face, and zero whatever rigid motion the bodies share.
 template <class Work>
 FPM_KERNEL Vec3<Work>
 slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
@@ -105,14 +105,65 @@ slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work
     return (xi - xiOld) * t1 + (eta - etaOld) * t2;
 }
 
-/// The same from a point of one face to a point of another.
+/// Outward unit normal of a face at (xi, eta), and the offset of the contactor from there.
 template <class Work>
-FPM_KERNEL Vec3<Work>
-slipBetweenFaces(const FaceCorners<Work>& old, Work xiOld, Work etaOld, const Vec3<Work>& offset)
+FPM_KERNEL Vec3<Work> normalOn(const FaceCorners<Work>& face, Work xi, Work eta, Vec3<Work>& offset)
 {
-    Vec3<Work> oldOffset, t1, t2;
-    evaluateFace(old, xiOld, etaOld, oldOffset, t1, t2);
-    return oldOffset - offset;
+    Vec3<Work> t1, t2;
+    evaluateFace(face, xi, eta, offset, t1, t2);
+    return faceNormal(face, t1, t2);
 }
+
+/// Forces on the corners of a face that add up to nothing and have the moment of a couple: the work
+/// of the couple on the spin of the face. With them friction, which acts at the contactor and with
+/// -N_I F on the corners, has no moment, and its work is F times the objective slip
+/// (delta x_c - delta x_foot + g delta n) . F (method of Curnier, He and Klarbring 1995; Poulios
+/// and Renard 2015), whatever the five nodes do: a rigid motion that they share does none.
+template <class Work>
+struct CornerCouple {
+    Work xi = 0, eta = 0; ///< where the shape functions are differentiated
+    Vec3<Work> alongXi{0, 0, 0}, alongEta{0, 0, 0};
+
+    CornerCouple() = default;
+    /// Of a force on the contactor, -F on the face at (atXi, atEta).
+    FPM_KERNEL
+    CornerCouple(const FaceCorners<Work>& face, Work atXi, Work atEta, const Vec3<Work>& force)
+        : xi(atXi),
+          eta(atEta)
+    {
+        Vec3<Work> lever, t1, t2, unused;
+        evaluateFace(face, xi, eta, lever, t1, t2);
+        const Vec3<Work>* x = face.corner;
+        const Vec3<Work> middle = Work(0.125) * cross(x[2] - x[0], x[3] - x[1]);
+        Vec3<Work> area = cross(t1, t2);
+        if (!(dot(area, area) > Work(1e-4) * dot(middle, middle))) { // near a collapsed side
+            xi = eta = 0;
+            evaluateFace(face, xi, eta, unused, t1, t2);
+            area = middle;
+        }
+        const Work square = dot(area, area);
+        if (!(square > 0)) return;
+        Vec3<Work> across = force;
+        const bool onXi = xi * xi >= Work(1), onEta = eta * eta >= Work(1);
+        if (onXi != onEta) { // along an edge its two corners balance it, whichever face it is of
+            const Vec3<Work> edge = onXi ? t2 : t1;
+            const Work part = dot(force, edge) / dot(edge, edge);
+            (onXi ? alongEta : alongXi) = part * lever;
+            across = force - part * edge;
+        }
+        // w x t^alpha with the dual tangents t^alpha has the moment w + (w . n) n.
+        const Vec3<Work> couple = (Work(1) / square) * cross(across, lever);
+        const Work drill = Work(0.5) * dot(couple, area);
+        alongXi += drill * t2 - dot(couple, t2) * area;
+        alongEta += dot(couple, t1) * area - drill * t1;
+    }
+    /// Force on corner k.
+    FPM_KERNEL Vec3<Work> at(int k) const
+    {
+        const Work one = Work(1), x = k == 1 || k == 2 ? one : -one, e = k > 1 ? one : -one;
+        return (Work(0.25) * x * (one + e * eta)) * alongXi
+               + (Work(0.25) * e * (one + x * xi)) * alongEta;
+    }
+};
 
 } // namespace fpm

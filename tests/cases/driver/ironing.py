@@ -67,8 +67,8 @@ def forces(case):
             "dragged, horizontal": -mean(f["time"], f["fx"], MIDDLE - 5e-5, MIDDLE + 5e-5)}
 
 
-def run(binaries, marks, block, cells, end=END, scale=1):
-    with ironed(binaries, block, cells, end, scale=scale) as case:
+def run(binaries, marks, block, cells, end=END):
+    with ironed(binaries, block, cells, end) as case:
         found = forces(case)
         for name, band in BANDS.items():
             marks.within(f"{block[0]} x {block[1]} {name}", found[name], *band, " N")
@@ -76,9 +76,7 @@ def run(binaries, marks, block, cells, end=END, scale=1):
 
 
 def coarse(binaries, marks):
-    """With stiffer springs: friction times gap is a moment that nothing balances, and with scale 1
-    it makes 1.0 % of the energy on this mesh (0.6 % on the finer one)."""
-    run(binaries, marks, (60, 15), (12, 6), scale=2)
+    run(binaries, marks, (60, 15), (12, 6))
 
 
 def check(binaries, marks):
