@@ -100,8 +100,10 @@ struct PairState {
     {
         const bool faces = pair.search == ContactSearch::faces;
         const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
+        // A face seldom fills all of its eight cells.
+        const std::size_t heads = faces ? entries : 2 * entries;
         std::uint32_t size = 16;
-        while (size < 2 * entries) size *= 2;
+        while (size < heads) size *= 2;
         mask = size - 1;
         head = Of<Index>(size);
         next = Of<Index>(entries);
