@@ -12,8 +12,8 @@ Part withoutPoisson(const std::string& name)
     return part;
 }
 
-/// Largest change of the angular momentum, a share of it, in an oblique impact of free blocks beside
-/// the centre of both.
+/// Largest change of the angular momentum, a share of it, in an oblique impact of free blocks
+/// beside the centre of both.
 double obliqueImpact(ContactKind kind, double friction)
 {
     Model model = twoBlocks(metal(), metal(), {3e4, -2e4, -6e4}, friction);
