@@ -74,6 +74,9 @@ void addElements(std::vector<Scene>& scenes)
     flow.meltingTemperature = 900;
     general.parts[1].hourglassPlastic = HourglassPlastic::tangent;
     scenes.push_back({"kinematic, rate, heat", general});
+    Model floats = plain();
+    for (Part& part : floats.parts) part.hourglassStorage = HourglassStorage::float_;
+    scenes.push_back({"hourglass forces as float", floats});
     Model eroding = plain();
     eroding.parts[1].erosion.plasticStrain = 0.02;
     scenes.push_back({"erosion", eroding});
