@@ -24,6 +24,8 @@ enum class HexahedronForm { reduced, selective };
 enum class HourglassForm { stiffness, viscous, physical };
 /// Physical form when the section yields.
 enum class HourglassPlastic { elastic, coupled, tangent };
+/// How the hourglass forces are kept between steps: in the working type, or as floats.
+enum class HourglassStorage { full, float_ };
 enum class RateDependence { none, cowperSymonds, johnsonCook };
 
 inline constexpr std::size_t mostHardeningRows = 32; ///< of a part
@@ -76,6 +78,7 @@ struct Part {
     HourglassForm hourglass = HourglassForm::stiffness;
     double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;
+    HourglassStorage hourglassStorage = HourglassStorage::full;
     GivenInertia inertia; ///< rigidFree
     double linearBulkViscosity = 0.06, quadraticBulkViscosity = 1.2;
     double massFactor = 1; ///< mass scaling: of every element

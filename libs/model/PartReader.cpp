@@ -39,6 +39,8 @@ void readHourglass(const Lineage& lineage, Part& part)
     part.hourglassPlastic = plastic == "elastic"   ? HourglassPlastic::elastic
                             : plastic == "tangent" ? HourglassPlastic::tangent
                                                    : HourglassPlastic::coupled;
+    if (entry.choiceOr("storage", "full", {"full", "float"}) == "float")
+        part.hourglassStorage = HourglassStorage::float_;
 }
 
 RotationForm readRotation(const Lineage& lineage)

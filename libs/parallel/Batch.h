@@ -140,6 +140,11 @@ struct NumberTraits<Batch<S, W>> {
     {
         if constexpr (sizeof(Stored) == sizeof(S))
             return Batch<S, W>(*reinterpret_cast<const Native*>(p));
+        if constexpr (sizeof(Stored) < sizeof(S)) {
+            typedef Stored Narrow __attribute__((vector_size(W * sizeof(Stored))));
+            return Batch<S, W>(
+                __builtin_convertvector(*reinterpret_cast<const Narrow*>(p), Native));
+        }
         Native values;
         for (int lane = 0; lane < W; ++lane) values[lane] = S(p[lane]);
         return Batch<S, W>(values);
@@ -149,7 +154,10 @@ struct NumberTraits<Batch<S, W>> {
     {
         if constexpr (sizeof(Stored) == sizeof(S))
             *reinterpret_cast<Native*>(p) = value.value;
-        else
+        else if constexpr (sizeof(Stored) < sizeof(S)) {
+            typedef Stored Narrow __attribute__((vector_size(W * sizeof(Stored))));
+            *reinterpret_cast<Narrow*>(p) = __builtin_convertvector(value.value, Narrow);
+        } else
             for (int lane = 0; lane < W; ++lane) p[lane] = Stored(value.value[lane]);
     }
     template <class Stored>

@@ -22,6 +22,7 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                                    Work(m.hourglass),
                                    Work(m.coupledHourglass),
                                    m.rows,
+                                   m.floatHourglass,
                                    {},
                                    {},
                                    {},

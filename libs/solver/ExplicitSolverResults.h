@@ -203,6 +203,16 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
     return out;
 }
 
+/// Float number `i` of memory that was uploaded as other numbers.
+template <class Values>
+float floatAt(const Values& values, std::size_t i)
+{
+    float value;
+    std::memcpy(&value, reinterpret_cast<const char*>(values.data()) + i * sizeof value,
+                sizeof value);
+    return value;
+}
+
 template <class Precision, class Executor>
 std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
 {
@@ -215,8 +225,11 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
     for (Index element = 0; element < data_.elementCount; ++element) {
         const ElementPlace place = data_.placeOf(element);
         const StateLayout& layout = data_.layouts[place.part];
-        for (std::size_t k = 0; k < std::size_t(layout.size()); ++k)
+        const int wide = layout.floatHourglass ? layout.hourglassForces() : layout.size();
+        for (std::size_t k = 0; k < std::size_t(wide); ++k)
             hash = hashed(hash, state[place.state + k * std::size_t(tileWidth)]);
+        for (int k = 0; layout.floatHourglass && k < layout.hourglass; ++k)
+            hash = hashed(hash, floatAt(state, inFloatTiles(place.state, wide, k)));
         for (std::size_t k = 0; k < std::size_t(layout.sums()); ++k)
             hash = hashed(hash, strain[place.strains + k * std::size_t(tileWidth)]);
     }

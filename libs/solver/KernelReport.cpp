@@ -39,20 +39,22 @@ std::string elementLine(const KernelGroup& group, const SolverData& data, const 
         const PatchHeader& patch = data.patches[std::size_t(number)];
         elements[std::size_t(patch.material)] += patch.elementCount;
     }
-    std::string parts;
+    std::string parts, floats;
     std::size_t least = 1000, most = 0;
     const bool precise = model.control.precision == Precision::double_,
                single = model.control.precision == Precision::single;
     for (const auto& [part, count] : elements) {
         parts += " " + model.parts[part].name;
         const StateLayout& layout = data.layouts[part];
+        if (layout.floatHourglass) floats += " " + model.parts[part].name;
         const std::size_t bytes = std::size_t(layout.size()) * (precise ? 8 : 4)
                                   + std::size_t(layout.sums()) * (single ? 4 : 8);
         least = std::min(least, bytes);
         most = std::max(most, bytes);
     }
-    return format("elements of{}: {}; {}{} bytes of state each", parts, elementKernel(group), least,
-                  least < most ? format(" to {}", most) : std::string());
+    return format("elements of{}: {}; {}{} bytes of state each{}", parts, elementKernel(group),
+                  least, least < most ? format(" to {}", most) : std::string(),
+                  floats.empty() ? floats : "; hourglass forces as float:" + floats);
 }
 
 std::string pairLine(const PairData& pass, const ContactPair& pair, const Model& model)

@@ -99,7 +99,7 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
               && int(RotationForm::hughesWinget) == int(RotationRule::hughesWinget));
 
 /// What the elements of a part keep from step to step, as the kernel of its group has it.
-StateLayout stateLayout(const Part& part)
+StateLayout stateLayout(const Part& part, Precision precision)
 {
     if (isRigid(part.kind)) return {0, 0, false};
     const bool plastic = part.kind == PartKind::elastoplastic;
@@ -110,6 +110,8 @@ StateLayout stateLayout(const Part& part)
         layout.points = SelectiveIntegration::points;
         layout.hourglass = SelectiveIntegration::stateSize;
     }
+    layout.floatHourglass = layout.hourglass > 0 && precision == Precision::double_
+                            && part.hourglassStorage == HourglassStorage::float_;
     return layout;
 }
 
@@ -132,7 +134,10 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     data.elementTile.resize(std::size_t(data.elementCount));
     data.elementPlace.resize(std::size_t(data.elementCount));
     data.elementPatch.resize(std::size_t(data.elementCount));
-    for (const Part& part : model.parts) data.layouts.push_back(stateLayout(part));
+    for (std::size_t part = 0; part < model.parts.size(); ++part) {
+        data.layouts.push_back(stateLayout(model.parts[part], model.control.precision));
+        data.materials[part].floatHourglass = data.layouts[part].floatHourglass;
+    }
     for (Index element = 0; element < data.elementCount; ++element)
         if (!(volume(model.mesh, element) > 0))
             throw Error(ExitCode::mesh, format("element {} has no positive volume", element),

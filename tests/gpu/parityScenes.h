@@ -62,6 +62,9 @@ inline void addElements(std::vector<Scene>& scenes)
     tabled.parts[1].flow.rateCoefficient = 0.25;
     tabled.parts[1].hourglassPlastic = HourglassPlastic::elastic;
     scenes.push_back({"table of plastic hardening, rate", tabled});
+    Model floats = plain();
+    for (Part& part : floats.parts) part.hourglassStorage = HourglassStorage::float_;
+    scenes.push_back({"hourglass forces as float", floats});
     Model eroding = plain();
     eroding.parts[1].erosion.plasticStrain = 0.02;
     BoundaryCondition press = condition(BoundaryCondition::Kind::pressure, "press", {}, {}, {50});

@@ -15,6 +15,22 @@ FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
                apart = other - here;
     return apart * apart < here * (share * share * here + rounding * size);
 }
+/// Whether the nearest points of two faces are two, not one on their common edge: offsets of the
+/// contactor from them.
+template <class Work>
+FPM_KERNEL bool areTwoFeet(const Vec3<Work>& a, const Vec3<Work>& b, Work size)
+{
+    constexpr Work width = sizeof(Work) == 8 ? Work(1e-11) : Work(1e-5);
+    const Vec3<Work> apart = a - b;
+    return dot(apart, apart) > width * width * size;
+}
+template <class Work>
+FPM_KERNEL Vec3<Work> offsetOn(const FaceCorners<Work>& face, Work xi, Work eta)
+{
+    Vec3<Work> offset, t1, t2;
+    evaluateFace(face, xi, eta, offset, t1, t2);
+    return offset;
+}
 template <class Work>
 FPM_KERNEL Work squareOfDiagonal(const FaceCorners<Work>& face)
 {
@@ -32,7 +48,7 @@ struct RidgeFaces {
 
     Index face[most]; ///< the first is the one it is tracked on
     Work xi[most], eta[most];
-    Vec3<Work> normal[most];
+    Vec3<Work> normal[most], offset[most];
     bool adjacent[most]; ///< they have an edge in common with the first
     int count = 1;
 
@@ -43,6 +59,7 @@ struct RidgeFaces {
         xi[0] = at.xi;
         eta[0] = at.eta;
         normal[0] = at.normal;
+        offset[0] = at.offset;
         adjacent[0] = true;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
         const Index target = pair.faceTarget[4 * std::size_t(first) + std::size_t(corner)];
@@ -74,10 +91,13 @@ private:
             return;
         const Projection<Work> at = gapAt(corners, point.xi, point.eta);
         if (!(at.gap < 0) || looksAway(pair, i, at.normal)) return;
+        for (int k = 0; k < count; ++k)
+            if (!areTwoFeet(offset[k], at.offset, squareOfDiagonal(corners))) return;
         face[count] = other;
         xi[count] = point.xi;
         eta[count] = point.eta;
         normal[count] = at.normal;
+        offset[count] = at.offset;
         adjacent[count] = false;
         for (int edge = 0; edge < 4; ++edge) {
             const Index across = pair.neighbour[4 * std::size_t(face[0]) + std::size_t(edge)];

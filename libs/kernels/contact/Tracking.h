@@ -182,9 +182,12 @@ private:
         if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) return false;
         const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
+        const Work size = squareOfDiagonal(there);
         if (found.where == insideFace && here.point.where == insideFace
-            && isAsNear(found.square, here.point.square, squareOfDiagonal(there))) {
-            ridge = true;
+            && isAsNear(found.square, here.point.square, size)) {
+            ridge = ridge
+                    || areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
+                                  offsetOn(there, found.xi, found.eta), size);
             return false;
         }
         if (!(found.square < less * here.point.square)
@@ -204,8 +207,14 @@ private:
         const Index* list = across;
         Index count = 0;
         if (here.point.where >= firstCorner) {
-            const Index target = pair.faceTarget[4 * std::size_t(here.face)
-                                                 + std::size_t(here.point.where - firstCorner)];
+            // Across its edges first: of faces equally near, as at a plane of symmetry, those stay
+            // on the same side.
+            const int corner = here.point.where - firstCorner;
+            for (int edge = corner; edge < corner + 4; edge += 3) {
+                const Index next = pair.neighbour[4 * std::size_t(here.face) + (edge & 3)];
+                if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
+            }
+            const Index target = pair.faceTarget[4 * std::size_t(here.face) + std::size_t(corner)];
             list = pair.targetFaces + pair.targetFaceStart[target];
             count = pair.targetFaceStart[target + 1] - pair.targetFaceStart[target];
         } else

@@ -8,17 +8,6 @@
 
 namespace fpm {
 
-/// Element values lie in tiles of so many elements: one run of memory for all that a batch of
-/// elements needs of a quantity, at known distances.
-inline constexpr Index tileWidth = 16;
-
-/// Place of value 0 of local element e of a quantity with n values; the others follow tileWidth
-/// apart.
-FPM_KERNEL constexpr std::size_t inTiles(Index e, int n)
-{
-    return std::size_t(e / tileWidth * tileWidth) * std::size_t(n) + std::size_t(e % tileWidth);
-}
-
 /// A patch as the element kernel sees it.
 struct PatchHeader {
     Index elementCount;
@@ -113,14 +102,22 @@ struct ElementPass {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
+        const bool floats = mayKeepFloats && m.floatHourglass;
         if constexpr (!Material::general)
-            return {Hourglass::points, Hourglass::stateSize, Material::plastic};
+            return {
+                Hourglass::points, Hourglass::stateSize, Material::plastic, false, false, floats};
         else
-            return {Hourglass::points, Hourglass::stateSize, m.rows > 0 || m.general.erodes,
-                    m.general.kinematicModulus > Work(0), m.general.heatPerWork > Work(0)};
+            return {Hourglass::points,
+                    Hourglass::stateSize,
+                    m.rows > 0 || m.general.erodes,
+                    m.general.kinematicModulus > Work(0),
+                    m.general.heatPerWork > Work(0),
+                    floats};
     }
 
 private:
+    static constexpr bool mayKeepFloats = Hourglass::stateSize > 0 && sizeof(Work) > sizeof(float);
+
     /// Coordinates relative to the patch's first node, and increments: the only place where
     /// positions are read, subtracted in Position and kept in Work.
     template <class Team>
@@ -277,12 +274,36 @@ private:
             if (layout.heats)
                 to.temperatureRise = load<T>(sums + layout.temperature(point) * tileWidth);
         }
-        if constexpr (Hourglass::stateSize > 0) {
-            const Work* q = first + layout.hourglassForces() * tileWidth;
-            for (int j = 0; j < 4; ++j)
-                to.hourglass[j] = {load<T>(q + 3 * j * tileWidth),
-                                   load<T>(q + (3 * j + 1) * tileWidth),
-                                   load<T>(q + (3 * j + 2) * tileWidth)};
+        if constexpr (mayKeepFloats)
+            if (layout.floatHourglass) {
+                loadHourglass(floatForces(patch, layout, e), to.hourglass);
+                return;
+            }
+        if constexpr (Hourglass::stateSize > 0)
+            loadHourglass(first + layout.hourglassForces() * tileWidth, to.hourglass);
+    }
+
+    /// Where the hourglass forces of an element lie as floats.
+    FPM_KERNEL float*
+    floatForces(const PatchHeader& patch, const StateLayout& layout, Index e) const
+    {
+        return reinterpret_cast<float*>(state)
+               + inFloatTiles(patch.state + inTiles(e, layout.size()), layout.hourglassForces(), 0);
+    }
+    template <class T, class Stored>
+    FPM_KERNEL static void loadHourglass(const Stored* q, Vec3<T> (&to)[4])
+    {
+        for (int j = 0; j < 4; ++j)
+            to[j] = {load<T>(q + 3 * j * tileWidth), load<T>(q + (3 * j + 1) * tileWidth),
+                     load<T>(q + (3 * j + 2) * tileWidth)};
+    }
+    template <class T, class Stored>
+    FPM_KERNEL static void storeHourglass(Stored* q, const Vec3<T> (&from)[4])
+    {
+        for (int j = 0; j < 4; ++j) {
+            store(q + 3 * j * tileWidth, from[j].x);
+            store(q + (3 * j + 1) * tileWidth, from[j].y);
+            store(q + (3 * j + 2) * tileWidth, from[j].z);
         }
     }
 
@@ -308,14 +329,13 @@ private:
                                ? load<T>(massRatio + patch.tile + e) * step.temperatureIncrement
                                : step.temperatureIncrement);
         }
-        if constexpr (Hourglass::stateSize > 0) {
-            Work* q = first + layout.hourglassForces() * tileWidth;
-            for (int j = 0; j < 4; ++j) {
-                store(q + 3 * j * tileWidth, from.hourglass[j].x);
-                store(q + (3 * j + 1) * tileWidth, from.hourglass[j].y);
-                store(q + (3 * j + 2) * tileWidth, from.hourglass[j].z);
+        if constexpr (mayKeepFloats)
+            if (layout.floatHourglass) {
+                storeHourglass(floatForces(patch, layout, e), from.hourglass);
+                return;
             }
-        }
+        if constexpr (Hourglass::stateSize > 0)
+            storeHourglass(first + layout.hourglassForces() * tileWidth, from.hourglass);
     }
 
     /// Corner forces into scratch: [3 * corner + component][256].

@@ -1,20 +1,44 @@
 #pragma once
 
+#include "base/Types.h"
 #include "parallel/Kernel.h"
+
+#include <cstddef>
 
 namespace fpm {
 
+/// Element values lie in tiles of so many elements: one run of memory for all that a batch of
+/// elements needs of a quantity, at known distances.
+inline constexpr Index tileWidth = 16;
+
+/// Place of value 0 of local element e of a quantity with n values; the others follow tileWidth
+/// apart.
+FPM_KERNEL constexpr std::size_t inTiles(Index e, int n)
+{
+    return std::size_t(e / tileWidth * tileWidth) * std::size_t(n) + std::size_t(e % tileWidth);
+}
+
+/// Likewise of value `i` of a row of tiles of floats that begins where value `first` of a quantity
+/// of doubles does; `place`: of value 0 of that quantity. In floats.
+FPM_KERNEL constexpr std::size_t inFloatTiles(std::size_t place, int first, int i)
+{
+    const std::size_t inTile = place % tileWidth;
+    return 2 * (place - inTile) + inTile + std::size_t(2 * first + i) * tileWidth;
+}
+
 /// How the state of one element of a part is kept: so many values in the working type, each of them
 /// a tile of its patch, in the order stress of every integration point, backstress of every one,
-/// hourglass forces; and in the type of sums the plastic strain of every point, then its rise of
-/// temperature. Elements carry no value that their part has no use for. A deleted element
-/// (Deletion.h) keeps its energy in the place of its first stress.
+/// hourglass forces, which may be floats, two tiles of them in the place of one; and in the type of
+/// sums the plastic strain of every point, then its rise of temperature. Elements carry no value
+/// that their part has no use for. A deleted element (Deletion.h) keeps its energy in the place of
+/// its first stress.
 struct StateLayout {
     int points;    ///< integration points, 0 for a part without element work
     int hourglass; ///< generalised forces kept
     bool plastic;  ///< keeps plastic strain, also where elements may be deleted
     bool kinematic = false;
     bool heats = false;
+    bool floatHourglass = false; ///< hourglass forces are floats; only where the others are doubles
 
     FPM_KERNEL constexpr int stress(int point) const { return 6 * point; }
     FPM_KERNEL constexpr int backstress(int point) const { return 6 * (points + point); }
@@ -22,7 +46,10 @@ struct StateLayout {
     {
         return kinematic ? 12 * points : 6 * points;
     }
-    FPM_KERNEL constexpr int size() const { return hourglassForces() + hourglass; }
+    FPM_KERNEL constexpr int size() const
+    {
+        return hourglassForces() + (floatHourglass ? hourglass / 2 : hourglass);
+    }
     FPM_KERNEL constexpr int strains() const { return plastic ? points : 0; }
     FPM_KERNEL constexpr int temperature(int point) const { return strains() + point; }
     FPM_KERNEL constexpr int sums() const { return strains() + (heats ? points : 0); }

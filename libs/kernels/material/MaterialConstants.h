@@ -41,6 +41,7 @@ struct MaterialConstants {
     Work hourglass;        ///< coefficient of the chosen form
     Work coupledHourglass; ///< 1: physical form yields with the section; 0: stays elastic
     int rows;              ///< of the hardening table, 0: never yields
+    bool floatHourglass;   ///< hourglass forces are kept as floats (StateLayout)
     Work strain[maxHardeningRows], stress[maxHardeningRows], slope[maxHardeningRows];
     GeneralConstants<Work> general;
 };

@@ -79,6 +79,19 @@ TEST(PartReader, ChoosesTheHourglassCoefficientByForm)
     EXPECT_EQ(readOne(elastic + "hourglass { coefficient 0.2; }").hourglassCoefficient, 0.2);
 }
 
+TEST(PartReader, ReadsHowHourglassForcesAreKept)
+{
+    EXPECT_EQ(readOne(elastic).hourglassStorage, HourglassStorage::full);
+    EXPECT_EQ(readOne(elastic + "hourglass { storage full; }").hourglassStorage,
+              HourglassStorage::full);
+    EXPECT_EQ(readOne(elastic + "hourglass { storage float; }").hourglassStorage,
+              HourglassStorage::float_);
+    const std::string text = refusalOf(elastic + "hourglass { storage flaot; }");
+    EXPECT_TRUE(contains(text, "storage"));
+    EXPECT_TRUE(contains(text, "float"));
+    EXPECT_TRUE(contains(text, "full"));
+}
+
 TEST(PartReader, NeedsNothingButTheModelOfARigidPart)
 {
     EXPECT_EQ(readOne("model rigidPrescribed;").kind, PartKind::rigidPrescribed);

@@ -26,6 +26,12 @@ TEST(KernelReport, TellsWhatEveryPartAndPairUses)
             "elements of upper: one point, J2 plasticity, hourglass physical; 152 bytes of "
             "state each",
             "contact touch: search faces, friction; 30 contactors on 56 faces"}));
+    model.parts[0].hourglassStorage = model.parts[1].hourglassStorage = HourglassStorage::float_;
+    const std::vector<std::string> floats = kernelLines(makeSolverData(model), model);
+    EXPECT_NE(floats[0].find("48 bytes"), std::string::npos); // viscous keeps none
+    EXPECT_NE(floats[1].find("104 bytes of state each; hourglass forces as float: upper"),
+              std::string::npos)
+        << floats[1];
     model.control.precision = Precision::mixed; // half of all but the plastic strain
     EXPECT_NE(kernelLines(makeSolverData(model), model)[1].find("80 bytes"), std::string::npos);
 }
