@@ -92,6 +92,18 @@ TEST(StepClock, AppliesTheSafetyFactorToTheCombinedFrequency)
     EXPECT_EQ(clock.contactFrequency, 3);
 }
 
+TEST(StepClock, MakesNoStepLongerThanTheMaximumButShorterOnes)
+{
+    StepClock clock = clockUntil(1e9);
+    StepRules rules;
+    rules.maximumStep = 0.2;
+    advanceClock(clock, rules, 0.5, 0);
+    EXPECT_EQ(clock.step, 0.2);
+    advanceClock(clock, rules, 0.1, 0);
+    EXPECT_DOUBLE_EQ(clock.step, 0.09);
+    EXPECT_EQ(clock.failed, 0);
+}
+
 TEST(StepClock, KeepsTheContactFrequencyTimesTheStepBelowItsLimit)
 {
     StepClock clock = clockUntil(1e9);

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace fpm::test {
 namespace {
 
@@ -47,32 +45,6 @@ TEST(TimeStep, AFixedStepGoesBeyondTheBoundOnlyWhereToldTo)
     going->advance(1, 5);
     EXPECT_EQ(going->clock().failed, 0);
     EXPECT_EQ(going->clock().steps, 5);
-}
-
-TEST(TimeStep, NoStepIsLongerThanTheMaximumNorThanTheBound)
-{
-    Model model = fall(1);
-    const auto plain = startedSolver(model);
-    std::vector<double> steps;
-    for (int n = 0; n < 200; ++n) {
-        plain->advance(1, 1);
-        steps.push_back(plain->clock().step);
-    }
-    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
-    const double between = 0.5 * (*least + *most);
-    ASSERT_GT(*most, 1.0001 * *least); // contact makes it shorter
-    model.control.maximumTimeStep = between;
-    const auto solver = startedSolver(model);
-    int shorter = 0;
-    for (int n = 0; n < 400; ++n) {
-        solver->advance(1, 1);
-        const StepClock clock = solver->clock();
-        EXPECT_LE(clock.step, between);
-        EXPECT_LE(clock.step, 0.9 * clock.stableStep * (1 + 1e-12));
-        shorter += clock.step < between;
-    }
-    EXPECT_GT(shorter, 0);
-    EXPECT_LT(shorter, 400);
 }
 
 TEST(TimeStep, SearchesAsOftenAsToldTo)
