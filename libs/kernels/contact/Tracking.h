@@ -183,12 +183,12 @@ private:
         const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
-        if (found.where == insideFace && here.point.where == insideFace
-            && isAsNear(found.square, here.point.square, size)) {
-            ridge = ridge
-                    || areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
-                                  offsetOn(there, found.xi, found.eta), size);
-            return false;
+        if (isAsNear(found.square, here.point.square, size)) {
+            const bool inside = found.where == insideFace && here.point.where == insideFace,
+                       apart = areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
+                                          offsetOn(there, found.xi, found.eta), size);
+            ridge = ridge || (inside && apart);
+            if (inside || !apart) return false; // to hop on one point would be rounding
         }
         if (!(found.square < less * here.point.square)
             || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
