@@ -20,7 +20,7 @@ FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
 template <class Work>
 FPM_KERNEL bool areTwoFeet(const Vec3<Work>& a, const Vec3<Work>& b, Work size)
 {
-    constexpr Work width = sizeof(Work) == 8 ? Work(1e-11) : Work(1e-5);
+    constexpr Work width = sizeof(Work) == 8 ? Work(1e-13) : Work(1e-6);
     const Vec3<Work> apart = a - b;
     return dot(apart, apart) > width * width * size;
 }
