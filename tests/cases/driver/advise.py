@@ -165,7 +165,7 @@ def tutorial(binaries, marks):
                        "mirror planes x = 0, y = 0: the quarter" in said)
             error, name = apart(case, quarter, 4, "xy")
             told = f"friction {friction}: quarter plate beside the whole, worst {name}"
-            if friction:  # its stored force turns with one face: doc/limits.md
+            if friction:  # why it is more is not known: doc/limits.md
                 marks.figure(told, f"{error:.2g}")
             else:
                 marks.true(f"{told}: {error:.2g} (< 1e-06)", error < 1e-6)

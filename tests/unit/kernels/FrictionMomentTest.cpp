@@ -1,5 +1,6 @@
 #include "kernels/contact/ContactForce.h"
 #include "parallel/CpuExecutor.h"
+#include "unit/kernels/rotated.h"
 
 #include <gtest/gtest.h>
 
@@ -12,18 +13,9 @@ namespace fpm {
 namespace {
 
 using V = Vec3<double>;
+using test::rotated;
+using test::size;
 constexpr double normalStiffness = 100, tangentialRatio = 0.5, step = 1e-3;
-
-double size(const V& v)
-{
-    return std::sqrt(dot(v, v));
-}
-V rotated(const V& v, const V& axis, double angle)
-{
-    const V a = (1 / size(axis)) * axis;
-    return std::cos(angle) * v + std::sin(angle) * cross(a, v)
-           + ((1 - std::cos(angle)) * dot(a, v)) * a;
-}
 
 /// One contactor, node 0, against faces of the nodes 1 to 6: 1 2 5 4 and 2 3 6 5.
 class OneContactor

@@ -1,4 +1,5 @@
 #include "kernels/contact/RigidSurface.h"
+#include "unit/kernels/rotated.h"
 
 #include <gtest/gtest.h>
 
@@ -10,24 +11,13 @@ namespace fpm {
 namespace {
 
 using V = Vec3<double>;
+using test::rotated;
+using test::size;
 
 FrictionLaw<double> law(double mu)
 {
     return {mu, mu, 0, 0.1, false};
 }
-double size(const V& v)
-{
-    return std::sqrt(dot(v, v));
-}
-
-/// Rotation about an axis by an angle (Rodrigues).
-V rotated(const V& v, const V& axis, double angle)
-{
-    const V a = (1 / size(axis)) * axis;
-    return std::cos(angle) * v + std::sin(angle) * cross(a, v)
-           + ((1 - std::cos(angle)) * dot(a, v)) * a;
-}
-
 TEST(Friction, FallsFromStaticToDynamicWithTheSpeedOfTheSlip)
 {
     const FrictionLaw<double> slow{0.4, 0.3, 2.0, 0.1, false};

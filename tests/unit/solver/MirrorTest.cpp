@@ -34,8 +34,7 @@ Model strike(bool half, int passes, double friction)
 }
 
 /// Nodes of the plane inside a ridge are as near to the faces on both sides and press on both: what
-/// is left is rounding that grows. With friction more is left: its stored force turns with the one
-/// face that the node is tracked on.
+/// is left is rounding that grows. With friction more is left, and why is not known: doc/limits.md.
 TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
 {
     for (const int passes : {1, 2})
