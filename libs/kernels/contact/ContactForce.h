@@ -172,14 +172,13 @@ private:
                                   const Origin& origin,
                                   const Projection<Work>& at) const
     {
-        Vec3<Work> offset, before;
-        const Vec3<Work> normal = normalOn(corners, at.xi, at.eta, offset);
+        const Projection<Work> now = gapAt(corners, at.xi, at.eta);
         if (origin.face == face)
             return slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                   + at.gap * (normal - normalOn(corners, origin.xi, origin.eta, before));
-        const Vec3<Work> last =
-            normalOn(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta, before);
-        return (before - offset) + at.gap * (normal - last);
+                   + at.gap * (now.normal - gapAt(corners, origin.xi, origin.eta).normal);
+        const Projection<Work> last =
+            gapAt(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta);
+        return (last.offset - now.offset) + at.gap * (now.normal - last.normal);
     }
 
     FPM_KERNEL static bool isOnBorder(Work xi, Work eta)

@@ -105,15 +105,6 @@ slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work
     return (xi - xiOld) * t1 + (eta - etaOld) * t2;
 }
 
-/// Outward unit normal of a face at (xi, eta), and the offset of the contactor from there.
-template <class Work>
-FPM_KERNEL Vec3<Work> normalOn(const FaceCorners<Work>& face, Work xi, Work eta, Vec3<Work>& offset)
-{
-    Vec3<Work> t1, t2;
-    evaluateFace(face, xi, eta, offset, t1, t2);
-    return faceNormal(face, t1, t2);
-}
-
 /// Forces on the corners of a face that add up to nothing and have the moment of a couple: the work
 /// of the couple on the spin of the face. With them friction, which acts at the contactor and with
 /// -N_I F on the corners, has no moment, and its work is F times the objective slip
