@@ -107,11 +107,22 @@ bool differ(const std::vector<double>& stiffness)
     return *most > (1 + 1e-9) * *least;
 }
 
+/// The direction that a plane of symmetry holds.
+Point normalOf(const BoundaryCondition& mirror)
+{
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (mirror.constrains[axis]) return mirror.axes[axis];
+    return mirror.axes[0];
+}
+
 /// On a plane of symmetry a surface does not end: its other half goes on there.
 void continueAtMirrors(PairData& pair, const Model& model)
 {
     for (const BoundaryCondition& condition : model.boundaryConditions) {
         if (!condition.mirror) continue;
+        const Index plane = Index(pair.mirrorNormal.size() / 3);
+        const Point normal = normalOf(condition);
+        pair.mirrorNormal.insert(pair.mirrorNormal.end(), normal.begin(), normal.end());
         std::vector<bool> onPlane(model.mesh.points.size());
         for (const Index node : condition.nodes) onPlane[std::size_t(node)] = true;
         for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
@@ -122,7 +133,7 @@ void continueAtMirrors(PairData& pair, const Model& model)
             // A face that lies in the plane as a whole has no edge that is its border.
             if (pair.neighbour[edge] == freeEdge && lies(edge) && lies(edge + 1)
                 && !(lies(edge + 2) && lies(edge + 3)))
-                pair.neighbour[edge] = noEdge;
+                pair.neighbour[edge] = mirrorEdge(plane);
         }
     }
 }

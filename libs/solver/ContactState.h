@@ -41,7 +41,7 @@ struct PairState {
         contactorComponent, face, head, next;
     Of<Index> frictionFace, searchBlocks;
     Of<std::uint8_t> mayMeet, around, shared;
-    Of<Work> faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
+    Of<Work> mirrorNormal, faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
     Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
@@ -76,6 +76,7 @@ struct PairState {
           searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
+          mirrorNormal(converted<Work>(pair.mirrorNormal)),
           faceStiffness(converted<Work>(pair.faceStiffness)),
           faceThickness(converted<Work>(pair.faceThickness)),
           ownNormal(3 * std::size_t(pair.nodeCount)),
@@ -125,6 +126,7 @@ struct PairState {
         v.faceNumber = faceNumber.data();
         v.faceTarget = faceTarget.data();
         v.neighbour = neighbour.data();
+        v.mirrorNormal = mirrorNormal.data();
         v.faceStiffness = faceStiffness.data();
         v.faceThickness = faceThickness.data();
         v.target = target.data();
@@ -194,9 +196,9 @@ struct PairState {
               &faceTarget, &neighbour, &target, &targetFaceStart, &targetFaces, &excludedStart,
               &excluded, &faceComponent, &contactorComponent, &face, &head, &next, &frictionFace})
             sum += array->bytes();
-        for (const Of<Work>* array :
-             {&faceStiffness, &faceThickness, &ownNormal, &xi, &eta, &friction, &overlap,
-              &contactorStiffness, &contactorShare, &contactorMass, &faceMass, &heldStiffness})
+        for (const Of<Work>* array : {&mirrorNormal, &faceStiffness, &faceThickness, &ownNormal,
+                                      &xi, &eta, &friction, &overlap, &contactorStiffness,
+                                      &contactorShare, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})

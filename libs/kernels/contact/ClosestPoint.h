@@ -25,6 +25,13 @@ FPM_KERNEL void edgePoint(int edge, Work t, Work& xi, Work& eta)
     eta = edge == 0 ? Work(-1) : edge == 1 ? along : edge == 2 ? Work(1) : -along;
 }
 
+/// The share of a point that lies on an edge.
+template <class Work>
+FPM_KERNEL Work shareAlong(int edge, Work xi, Work eta)
+{
+    return Work(0.5) * (1 + (edge == 0 ? xi : edge == 1 ? eta : edge == 2 ? -xi : -eta));
+}
+
 /// Nearest point of the four edges.
 template <class Work>
 FPM_KERNEL FacePoint<Work> closestRimPoint(const FaceCorners<Work>& face)

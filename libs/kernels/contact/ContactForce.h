@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
+#include "kernels/contact/FootFaces.h"
 #include "kernels/contact/Overlap.h"
 #include "kernels/contact/Search.h"
 
@@ -75,13 +76,15 @@ private:
         const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
         Vec3<Work> rubbing{0, 0, 0};
+        bool images = now.ridge;
         if (gap < 0) {
             const Work pressed =
                 pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if (pair.law.friction.acts()) {
-                const Vec3<Work> along = tangential(i, face, origin, at, stiffness, pressed, held);
+                const Vec3<Work> along =
+                    tangential(i, face, origin, at, stiffness, pressed, held, images);
                 force += along;
                 if (!pair.law.friction.paper) rubbing = along;
             }
@@ -89,7 +92,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, force, rubbing, stiffness);
+        share(i, now, gap < 0, images, force, rubbing, stiffness);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -130,14 +133,16 @@ private:
 
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
     /// contactor has come from another one, that face as it lies now hands it over. `held`: the
-    /// force as it is stored.
+    /// force as it is stored. `images`: inside a ridge, where faces share the force as mirror
+    /// images; then on, while the foot stays on what they have in common.
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      Index face,
                                      const Origin& origin,
                                      const Projection<Work>& at,
                                      Work stiffness,
                                      Work pressed,
-                                     Vec3<Work>& held) const
+                                     Vec3<Work>& held,
+                                     bool& images) const
     {
         const PairLaw<Work>& law = pair.law;
         held = law.storedVector(i);
@@ -147,44 +152,57 @@ private:
         }
         const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
         const FaceFrame<Work> frame(corners);
-        if (law.storedFace[i] != face) {
-            if (dot(held, held) > 0) {
-                const FaceFrame<Work> old(pair.corners(law.storedFace[i], pair.contactor[i]));
+        if (dot(held, held) > 0) {
+            const Index stored = law.storedFace[i];
+            const bool shared = stored < releasedFace;
+            const Index from = shared ? withImages(stored) : stored;
+            images = images || (shared && FootFaces<Precision>::isOnBorder(at.xi, at.eta));
+            if (from != face) {
+                const FaceFrame<Work> old(pair.corners(from, pair.contactor[i]));
                 held = frame.components(old.vector(held, at.normal), at.normal);
             }
-            law.storedFace[i] = face;
         }
+        law.storedFace[i] = images ? withImages(face) : face;
         Vec3<Work> way = wayOver(i, face, corners, origin, at);
-        if (isOnBorder(at.xi, at.eta) || isOnBorder(origin.xi, origin.eta))
+        if (FootFaces<Precision>::isOnBorder(at.xi, at.eta)
+            || FootFaces<Precision>::isOnBorder(origin.xi, origin.eta))
             way += wayBeyond(i, corners, origin, at);
         const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         return frame.vector(held, at.normal);
     }
 
+    /// A stored force's face, told to have images that share the force. Its own inverse.
+    FPM_KERNEL static Index withImages(Index face) { return releasedFace - 1 - face; }
+
     /// Way of the contactor as the target sees it, which turns: that of the foot plus gap times the
-    /// change of the normal, both on the target as it lies now. What the normal turns by at an edge
-    /// counts when the contactor comes to the other face. Inside a ridge, where the other side
-    /// becomes the nearer one, the foot leaps and the normal with it: their sum does not.
+    /// change of the normal, both on the target as it lies now. At an edge the normal is the mean
+    /// of those of the faces that have it, so that half of what it turns by there counts when the
+    /// foot comes to the edge and half when it leaves. Inside a ridge, where the other side becomes
+    /// the nearer one, the foot leaps and the normal with it: their sum does not.
     FPM_KERNEL Vec3<Work> wayOver(Index i,
                                   Index face,
                                   const FaceCorners<Work>& corners,
                                   const Origin& origin,
                                   const Projection<Work>& at) const
     {
-        const Projection<Work> now = gapAt(corners, at.xi, at.eta);
-        if (origin.face == face)
+        const auto normalOf = [&](Index on, Work xi, Work eta) {
+            return FootFaces<Precision>(pair, i, on, xi, eta).meanNormal(pair);
+        };
+        if (origin.face == face) {
+            if (origin.xi == at.xi && origin.eta == at.eta) return {0, 0, 0};
             return slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                   + at.gap * (now.normal - gapAt(corners, origin.xi, origin.eta).normal);
-        const Projection<Work> last =
-            gapAt(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta);
-        return (last.offset - now.offset) + at.gap * (now.normal - last.normal);
+                   + at.gap
+                         * (normalOf(face, at.xi, at.eta) - normalOf(face, origin.xi, origin.eta));
+        }
+        const Vec3<Work> last =
+            offsetOn(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta);
+        return last - offsetOn(corners, at.xi, at.eta)
+               + at.gap
+                     * (normalOf(face, at.xi, at.eta)
+                        - normalOf(origin.face, origin.xi, origin.eta));
     }
 
-    FPM_KERNEL static bool isOnBorder(Work xi, Work eta)
-    {
-        return xi * xi >= Work(1) || eta * eta >= Work(1);
-    }
     /// Whether a place on a border of a face lies on a free edge.
     FPM_KERNEL bool isOnRim(const Origin& at) const
     {
@@ -232,6 +250,7 @@ private:
     FPM_KERNEL void share(Index i,
                           const Tracked<Work>& now,
                           bool closed,
+                          bool images,
                           const Vec3<Work>& force,
                           const Vec3<Work>& rubbing,
                           Work stiffness) const
@@ -241,21 +260,48 @@ private:
         std::int64_t own[3] = {0, 0, 0};
         if (!closed)
             loadStiffness(now.face, now.at.xi, now.at.eta, bound);
-        else if (!now.ridge)
+        else if (now.ridge)
+            loadRidge(i, now, force, rubbing, bound, own);
+        else if (pair.law.friction.acts()
+                 && FootFaces<Precision>::isOnBorder(now.at.xi, now.at.eta))
+            loadBorder(i, now, images, force, rubbing, bound, own);
+        else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
-        else {
-            const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
-            const Work part = Work(1) / Work(faces.count);
-            for (int k = 0; k < faces.count; ++k)
-                load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
-                     part * faces.image(k, rubbing), part * bound, own);
-        }
         if (closed) {
             sums.addForce(pair.contactorNumber[i], own);
             for (int c = 0; c < 3; ++c)
                 pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
         }
         sums.addStiffness(pair.contactorNumber[i], double(bound));
+    }
+    FPM_KERNEL void loadRidge(Index i,
+                              const Tracked<Work>& now,
+                              const Vec3<Work>& force,
+                              const Vec3<Work>& rubbing,
+                              Work bound,
+                              std::int64_t (&own)[3]) const
+    {
+        const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
+        const Work part = Work(1) / Work(faces.count);
+        for (int k = 0; k < faces.count; ++k)
+            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(pair, k, force),
+                 part * faces.image(pair, k, rubbing), part * bound, own);
+    }
+    /// On a border: every face has the same share of the couple, as of the normal.
+    FPM_KERNEL void loadBorder(Index i,
+                               const Tracked<Work>& now,
+                               bool images,
+                               const Vec3<Work>& force,
+                               const Vec3<Work>& rubbing,
+                               Work bound,
+                               std::int64_t (&own)[3]) const
+    {
+        const FootFaces<Precision> faces(pair, i, now.face, now.at.xi, now.at.eta);
+        const Work part = Work(1) / Work(faces.count);
+        for (int k = 0; k < faces.count; ++k)
+            load(i, faces.face[k], faces.xi[k], faces.eta[k],
+                 part * (images ? faces.image(pair, k, force) : force),
+                 part * (images ? faces.image(pair, k, rubbing) : rubbing), part * bound, own);
     }
     /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
     FPM_KERNEL void load(Index i,

@@ -14,9 +14,14 @@ inline constexpr Index noFace = -1; ///< no target within reach
 inline constexpr Index releasedFace = -2;
 
 /// What `neighbour` of a face's edge may say beyond 4 * face + edge: the surface ends here; it does
-/// not, but there is no face: the edge has no length, or lies on a plane of symmetry.
+/// not, but there is no face: the edge has no length.
 inline constexpr Index freeEdge = -1;
 inline constexpr Index noEdge = -2;
+/// On plane k of symmetry, where the surface goes on as its own mirror image. Its own inverse.
+FPM_KERNEL constexpr Index mirrorEdge(Index k)
+{
+    return noEdge - 1 - k;
+}
 
 /// Counts of a pair: what happened to contactors that a user ought to know.
 enum PairCount {
@@ -57,6 +62,7 @@ struct PairView {
     const Index* faceTarget;      ///< [4 * face + corner], number among the target nodes
     const Index* neighbour;       ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
                                   ///< corners i and i + 1
+    const Work* mirrorNormal;     ///< [3 * k]: unit normals of the planes of symmetry
     const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
     const Work* faceThickness;    ///< V / A
     const Work* faceMass;         ///< of its lightest free corner, for contact damping

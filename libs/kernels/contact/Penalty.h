@@ -16,11 +16,12 @@ struct PairLaw {
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
     const Work* contactorShare;     ///< of that stiffness; null: all of it
     FrictionLaw<Work> friction;
-    Work* stored;              ///< tangential force: two components in a face's frame, or a vector
-    Index* storedFace;         ///< whose frame that is; null where `stored` is a vector in space
-    double* spring;            ///< recoverable energy of normal and tangential spring
-    double* dissipated;        ///< by friction, running sum
-    Work dampingRatio;         ///< zeta; 0: none, and the arrays below are empty
+    Work* stored;       ///< tangential force: two components in a face's frame, or a vector
+    Index* storedFace;  ///< whose frame that is, see ContactForce::withImages; null where `stored`
+                        ///< is a vector in space
+    double* spring;     ///< recoverable energy of normal and tangential spring
+    double* dissipated; ///< by friction, running sum
+    Work dampingRatio;  ///< zeta; 0: none, and the arrays below are empty
     const Work* contactorMass; ///< m_c; 0: nothing can move the contactor
     double* dampingForce;      ///< at the last step
     double* damped;            ///< by contact damping, running sum

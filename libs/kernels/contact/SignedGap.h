@@ -91,18 +91,15 @@ private:
                          bool& beyond) const
     {
         const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(point.where)];
-        if (across == noEdge) return;
+        if (across <= noEdge) return;
         if (across < 0) {
             beyond = trim(here, point.where, pseudo, offset);
             return;
         }
         const FaceCorners<Work> other = corners(across / 4);
-        const Work along = point.where == 0   ? point.xi
-                           : point.where == 1 ? point.eta
-                           : point.where == 2 ? -point.xi
-                                              : -point.eta;
         Work xi, eta;
-        edgePoint(across & 3, Work(0.5) * (1 - along), xi, eta); // the other way round
+        edgePoint(across & 3, shareAlong(point.where, -point.xi, -point.eta), xi,
+                  eta); // the other way round
         const Vec3<Work> normal = gapAt(other, xi, eta).normal;
         if (looksAway(pair, contactor, normal))
             beyond = trim(here, point.where, pseudo, offset);

@@ -21,9 +21,10 @@ constexpr double normalStiffness = 100, tangentialRatio = 0.5, step = 1e-3;
 class OneContactor
 {
 public:
-    explicit OneContactor(double friction, std::vector<V> nodes)
+    explicit OneContactor(double friction, std::vector<V> nodes, Index face = 0)
         : x_(std::move(nodes)),
-          v_(x_.size(), V{0, 0, 0})
+          v_(x_.size(), V{0, 0, 0}),
+          face_(face)
     {
         law_.count = 1;
         law_.stored = stored_;
@@ -113,7 +114,7 @@ private:
     StepClock clock_;
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
-    Index contactor_ = 0, face_ = 0, storedFace_ = 0;
+    Index contactor_ = 0, face_, storedFace_ = 0;
     Index faceNode_[8]{1, 2, 5, 4, 2, 3, 6, 5}, faceTarget_[8]{0, 1, 4, 3, 1, 2, 5, 4},
         neighbour_[8]{freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1},
         target_[6]{1, 2, 3, 4, 5, 6}, targetFaceStart_[7]{0, 1, 3, 4, 5, 7, 8},
@@ -224,14 +225,39 @@ TEST(FrictionMoment, WorkIsTheForceTimesTheSlipThatIsMeasured)
         }
 }
 
+/// Plane faces that fall to the edge x = 2 between them, and a contactor half a unit below them.
+std::vector<V> valley(double x, double y)
+{
+    const double rise = 0.4;
+    return {{x, y, -0.5}, {0, 0, rise}, {2, 0, 0},   {4, 0, rise},
+            {0, 2, rise}, {2, 2, 0},    {4, 2, rise}};
+}
+
+TEST(FrictionMoment, ItDoesNotMatterWhichOfTwoFacesTheFootIsTrackedOn)
+{
+    for (const double mu : {0.05, 10.0}) {
+        OneContactor a(mu, valley(2, 0.8), 0), b(mu, valley(2, 0.8), 1);
+        std::vector<V> way(7, V{0, 0, 0});
+        way[0] = {2e-3, 1e-3, 0}; // along the edge and out to face 1
+        EXPECT_TRUE(a.onBorder() && b.onBorder());
+        EXPECT_NE(a.face(), b.face());
+        for (int n = 0; n < 100; ++n) {
+            a.move(way);
+            b.move(way);
+            for (std::size_t i = 0; i < 7; ++i)
+                ASSERT_LT(size(a.force(i) - b.force(i)), 1e-9) << "mu " << mu << " step " << n;
+        }
+        EXPECT_GT(a.held(), 0);
+        EXPECT_EQ(a.face(), 1);
+        EXPECT_EQ(b.face(), 1);
+    }
+}
+
 TEST(FrictionMoment, NodesWorkThroughAValleyIsLostOrStored)
 {
     // Deep below a valley the foot waits in it while the contactor goes on, 0.2 of the way here.
-    const double depth = 0.5, slope = 0.2;
     for (const double direction : {1.0, -1.0}) {
-        const std::vector<V> nodes{{2 - direction, 1, -depth}, {0, 0, 2 * slope}, {2, 0, 0},
-                                   {4, 0, 2 * slope},          {0, 2, 2 * slope}, {2, 2, 0},
-                                   {4, 2, 2 * slope}};
+        const std::vector<V> nodes = valley(2 - direction, 1);
         OneContactor rough(0.1, nodes), smooth(0, nodes);
         std::vector<V> way(7, V{0, 0, 0});
         way[0] = {direction * 1e-3, 0, 0};

@@ -34,7 +34,7 @@ Model strike(bool half, int passes, double friction)
 }
 
 /// Nodes of the plane inside a ridge are as near to the faces on both sides and press on both: what
-/// is left is rounding that grows. With friction more is left, and why is not known: doc/limits.md.
+/// is left is rounding that grows.
 TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
 {
     for (const int passes : {1, 2})
@@ -52,8 +52,7 @@ TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
                     apart = std::max(apart, std::abs(2 * b[c] - a[c]));
             }
             EXPECT_GT(most, 1e3) << passes << " passes";
-            EXPECT_LT(apart, (friction > 0 ? 1e-7 : 1e-8) * most)
-                << passes << " passes, friction " << friction;
+            EXPECT_LT(apart, 1e-8 * most) << passes << " passes, friction " << friction;
             EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
                         1e-6 * whole->energies().friction);
         }

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "kernels/contact/RidgeFaces.h"
+
+namespace fpm {
+
+/// The faces that have a foot in common, equal partners of the contactor: the one it lies inside,
+/// both at an edge, all around a corner, those that look away left out. The first is the one it is
+/// tracked on, which of them that is must not matter.
+template <class Precision>
+struct FootFaces {
+    using Work = typename Precision::Work;
+    static constexpr int most = 8;
+
+    Index face[most];
+    Work xi[most], eta[most];
+    Vec3<Work> normal[most]; ///< at the foot, on the face as it lies now
+    int count = 0;
+
+    FPM_KERNEL
+    FootFaces(const PairView<Precision>& pair, Index i, Index first, Work atXi, Work atEta)
+    {
+        add(pair, i, first, atXi, atEta);
+        const bool onXi = isBorder(atXi), onEta = isBorder(atEta);
+        if (onXi && onEta)
+            addCorner(pair, i, atXi > 0 ? (atEta > 0 ? 2 : 1) : (atEta > 0 ? 3 : 0));
+        else if (onXi || onEta)
+            addEdge(pair, i, onXi ? edgeAtXi(atXi) : edgeAtEta(atEta));
+    }
+    FPM_KERNEL static bool isOnBorder(Work xi, Work eta) { return isBorder(xi) || isBorder(eta); }
+
+    /// Mean of the normals of all of them and, on planes of symmetry, of their images.
+    FPM_KERNEL Vec3<Work> meanNormal(const PairView<Precision>& pair) const
+    {
+        Vec3<Work> mean = normal[0];
+        for (int k = 1; k < count; ++k) mean += normal[k];
+        mean = (Work(1) / Work(count)) * mean;
+        for (int k = 0; k < count; ++k) {
+            if (isBorder(xi[k])) mean = onMirror(pair, face[k], edgeAtXi(xi[k]), mean);
+            if (isBorder(eta[k])) mean = onMirror(pair, face[k], edgeAtEta(eta[k]), mean);
+        }
+        return mean;
+    }
+    /// What a force in the first face is in another: as RidgeFaces.
+    FPM_KERNEL Vec3<Work>
+    image(const PairView<Precision>& pair, int k, const Vec3<Work>& force) const
+    {
+        if (k == 0) return force;
+        return imageOf(force, normal[0], normal[k], haveEdgeInCommon(pair, face[0], face[k]));
+    }
+
+private:
+    FPM_KERNEL static bool isBorder(Work x) { return x * x >= Work(1); }
+    FPM_KERNEL static int edgeAtXi(Work x) { return x > 0 ? 1 : 3; }
+    FPM_KERNEL static int edgeAtEta(Work x) { return x > 0 ? 2 : 0; }
+
+    FPM_KERNEL static Vec3<Work>
+    onMirror(const PairView<Precision>& pair, Index face, int edge, const Vec3<Work>& vector)
+    {
+        const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(edge)];
+        if (across >= noEdge) return vector;
+        const Work* plane = pair.mirrorNormal + 3 * mirrorEdge(across);
+        return inPlane(vector, Vec3<Work>{plane[0], plane[1], plane[2]});
+    }
+    FPM_KERNEL void
+    add(const PairView<Precision>& pair, Index i, Index other, Work atXi, Work atEta)
+    {
+        normal[count] = gapAt(pair.corners(other, pair.contactor[i]), atXi, atEta).normal;
+        if (count > 0 && looksAway(pair, i, normal[count])) return;
+        face[count] = other;
+        xi[count] = atXi;
+        eta[count] = atEta;
+        ++count;
+    }
+    FPM_KERNEL void addEdge(const PairView<Precision>& pair, Index i, int edge)
+    {
+        const Index across = pair.neighbour[4 * std::size_t(face[0]) + std::size_t(edge)];
+        if (across < 0) return;
+        Work atXi, atEta;
+        edgePoint(across & 3, shareAlong(edge, -xi[0], -eta[0]), atXi,
+                  atEta); // the other way round
+        add(pair, i, across / 4, atXi, atEta);
+    }
+    FPM_KERNEL void addCorner(const PairView<Precision>& pair, Index i, int corner)
+    {
+        const Index target = pair.faceTarget[4 * std::size_t(face[0]) + std::size_t(corner)];
+        for (Index k = pair.targetFaceStart[target];
+             k < pair.targetFaceStart[target + 1] && count < most; ++k) {
+            const Index other = pair.targetFaces[k];
+            const Index* corners = pair.faceTarget + 4 * std::size_t(other);
+            int c = 0;
+            while (c < 3 && corners[c] != target) ++c;
+            if (other != face[0])
+                add(pair, i, other, Work(c == 1 || c == 2 ? 1 : -1), Work(c > 1 ? 1 : -1));
+        }
+    }
+};
+
+} // namespace fpm
