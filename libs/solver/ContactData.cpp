@@ -125,6 +125,10 @@ void continueAtMirrors(PairData& pair, const Model& model)
         pair.mirrorNormal.insert(pair.mirrorNormal.end(), normal.begin(), normal.end());
         std::vector<bool> onPlane(model.mesh.points.size());
         for (const Index node : condition.nodes) onPlane[std::size_t(node)] = true;
+        pair.mirrors.resize(std::size_t(pair.nodeCount));
+        for (std::size_t i = 0; i < pair.mirrors.size() && plane < 8; ++i)
+            if (onPlane[std::size_t(pair.contactor[i])])
+                pair.mirrors[i] = std::uint8_t(pair.mirrors[i] | 1 << plane);
         for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
             const std::size_t first = edge / 4 * 4;
             const auto lies = [&](std::size_t corner) {

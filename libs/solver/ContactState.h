@@ -40,7 +40,7 @@ struct PairState {
     Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
         contactorComponent, face, head, next;
     Of<Index> frictionFace, searchBlocks;
-    Of<std::uint8_t> mayMeet, around, shared;
+    Of<std::uint8_t> mayMeet, around, shared, mirrors;
     Of<Work> mirrorNormal, faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
     Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
@@ -76,6 +76,7 @@ struct PairState {
           searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
+          mirrors(convectedFriction(pair) ? pair.mirrors : std::vector<std::uint8_t>{}),
           mirrorNormal(converted<Work>(pair.mirrorNormal)),
           faceStiffness(converted<Work>(pair.faceStiffness)),
           faceThickness(converted<Work>(pair.faceThickness)),
@@ -127,6 +128,7 @@ struct PairState {
         v.faceTarget = faceTarget.data();
         v.neighbour = neighbour.data();
         v.mirrorNormal = mirrorNormal.data();
+        v.mirrors = mirrors.data();
         v.faceStiffness = faceStiffness.data();
         v.faceThickness = faceThickness.data();
         v.target = target.data();
@@ -204,7 +206,7 @@ struct PairState {
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
         return sum + searchBlocks.bytes() + mayMeet.bytes() + around.bytes() + shared.bytes()
-               + counts.bytes();
+               + mirrors.bytes() + counts.bytes();
     }
 };
 

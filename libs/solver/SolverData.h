@@ -36,7 +36,8 @@ struct PairData {
     double fadeTime = 0;   ///< > 0: for a time only
     std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
-    std::vector<double> mirrorNormal; ///< [3 * k]: of the plane that mirrorEdge(k) lies on
+    std::vector<double> mirrorNormal;  ///< [3 * k]: of the plane that mirrorEdge(k) lies on
+    std::vector<std::uint8_t> mirrors; ///< planes a contactor lies on, a bit each; empty: none
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count

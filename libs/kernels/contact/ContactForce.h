@@ -76,15 +76,13 @@ private:
         const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
         Vec3<Work> rubbing{0, 0, 0};
-        bool images = now.ridge;
         if (gap < 0) {
             const Work pressed =
                 pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if (pair.law.friction.acts()) {
-                const Vec3<Work> along =
-                    tangential(i, face, origin, at, stiffness, pressed, held, images);
+                const Vec3<Work> along = tangential(i, now, origin, stiffness, pressed, held);
                 force += along;
                 if (!pair.law.friction.paper) rubbing = along;
             }
@@ -92,7 +90,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, images, force, rubbing, stiffness);
+        share(i, now, gap < 0, force, rubbing, stiffness);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -133,18 +131,17 @@ private:
 
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
     /// contactor has come from another one, that face as it lies now hands it over. `held`: the
-    /// force as it is stored. `images`: inside a ridge, where faces share the force as mirror
-    /// images; then on, while the foot stays on what they have in common.
+    /// force as it is stored.
     FPM_KERNEL Vec3<Work> tangential(Index i,
-                                     Index face,
+                                     const Tracked<Work>& now,
                                      const Origin& origin,
-                                     const Projection<Work>& at,
                                      Work stiffness,
                                      Work pressed,
-                                     Vec3<Work>& held,
-                                     bool& images) const
+                                     Vec3<Work>& held) const
     {
         const PairLaw<Work>& law = pair.law;
+        const Index face = now.face;
+        const Projection<Work>& at = now.at;
         held = law.storedVector(i);
         if (law.friction.paper) {
             const Vec3<Work> slip = inPlane(relativeWay(i, face, at), at.normal);
@@ -152,28 +149,48 @@ private:
         }
         const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
         const FaceFrame<Work> frame(corners);
-        if (dot(held, held) > 0) {
-            const Index stored = law.storedFace[i];
-            const bool shared = stored < releasedFace;
-            const Index from = shared ? withImages(stored) : stored;
-            images = images || (shared && FootFaces<Precision>::isOnBorder(at.xi, at.eta));
-            if (from != face) {
-                const FaceFrame<Work> old(pair.corners(from, pair.contactor[i]));
+        if (law.storedFace[i] != face) {
+            if (dot(held, held) > 0) {
+                const FaceFrame<Work> old(pair.corners(law.storedFace[i], pair.contactor[i]));
                 held = frame.components(old.vector(held, at.normal), at.normal);
             }
+            law.storedFace[i] = face;
         }
-        law.storedFace[i] = images ? withImages(face) : face;
         Vec3<Work> way = wayOver(i, face, corners, origin, at);
         if (FootFaces<Precision>::isOnBorder(at.xi, at.eta)
             || FootFaces<Precision>::isOnBorder(origin.xi, origin.eta))
-            way += wayBeyond(i, corners, origin, at);
-        const Vec3<Work> slip = frame.components(inPlane(way, at.normal), at.normal);
+            way += wayBeyond(i, face, corners, origin, at);
+        way = inPlane(way, at.normal);
+        if (now.ridge || pair.mirrorsOf(i)) {
+            way = alongMirrors(i, now, way);
+            const Work before = dot(held, held);
+            held = frame.components(alongMirrors(i, now, frame.vector(held, at.normal)), at.normal);
+            law.lose(i, before - dot(held, held), stiffness);
+        }
+        const Vec3<Work> slip = frame.components(way, at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         return frame.vector(held, at.normal);
     }
 
-    /// A stored force's face, told to have images that share the force. Its own inverse.
-    FPM_KERNEL static Index withImages(Index face) { return releasedFace - 1 - face; }
+    /// A tangential vector without what points out of the planes of symmetry that the contactor
+    /// lies on, of the model or of a ridge: there friction and its image cancel.
+    FPM_KERNEL Vec3<Work>
+    alongMirrors(Index i, const Tracked<Work>& now, const Vec3<Work>& vector) const
+    {
+        Vec3<Work> out = vector;
+        const auto remove = [&](const Vec3<Work>& across) {
+            const Vec3<Work> part = inPlane(across, now.at.normal);
+            const Work square = dot(part, part);
+            if (square > 0) out = out - (dot(out, part) / square) * part;
+        };
+        for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
+            if (mirrors >> k & 1) remove(pair.mirror(k));
+        if (!now.ridge) return out;
+        const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
+        for (int k = 1; k < faces.count; ++k)
+            if (faces.adjacent[k]) remove(faces.normal[0] - faces.normal[k]);
+        return out;
+    }
 
     /// Way of the contactor as the target sees it, which turns: that of the foot plus gap times the
     /// change of the normal, both on the target as it lies now. At an edge the normal is the mean
@@ -214,16 +231,21 @@ private:
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the face.
     FPM_KERNEL Vec3<Work> wayBeyond(Index i,
+                                    Index face,
                                     const FaceCorners<Work>& corners,
                                     const Origin& origin,
                                     const Projection<Work>& at) const
     {
-        Vec3<Work> offset, t1, t2;
-        evaluateFace(corners, at.xi, at.eta, offset, t1, t2);
-        const Vec3<Work> trimmed = offset - at.offset; // what lies beyond where the surface ends
+        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
+                         trimmed = offset - at.offset; // what lies beyond where the surface ends
         if (!(dot(trimmed, trimmed) > 0) && !isOnRim(origin)) return {0, 0, 0};
-        const Vec3<Work> normal = unit(cross(t1, t2));
-        return inPlane(offset, normal) - offsetBefore(i, origin);
+        const FootFaces<Precision> here(pair, i, face, at.xi, at.eta),
+            last(pair, i, origin.face, origin.xi, origin.eta);
+        Vec3<Work> now{0, 0, 0}, before{0, 0, 0};
+        for (int k = 0; k < here.count; ++k) now += inPlane(offset, here.normal[k]);
+        for (int k = 0; k < last.count; ++k)
+            before += offsetBefore(i, {last.face[k], last.xi[k], last.eta[k]});
+        return (Work(1) / Work(here.count)) * now - (Work(1) / Work(last.count)) * before;
     }
     /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
     FPM_KERNEL Vec3<Work> offsetBefore(Index i, const Origin& origin) const
@@ -250,7 +272,6 @@ private:
     FPM_KERNEL void share(Index i,
                           const Tracked<Work>& now,
                           bool closed,
-                          bool images,
                           const Vec3<Work>& force,
                           const Vec3<Work>& rubbing,
                           Work stiffness) const
@@ -264,7 +285,7 @@ private:
             loadRidge(i, now, force, rubbing, bound, own);
         else if (pair.law.friction.acts()
                  && FootFaces<Precision>::isOnBorder(now.at.xi, now.at.eta))
-            loadBorder(i, now, images, force, rubbing, bound, own);
+            loadBorder(i, now, force, rubbing, bound, own);
         else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
@@ -284,13 +305,12 @@ private:
         const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
         const Work part = Work(1) / Work(faces.count);
         for (int k = 0; k < faces.count; ++k)
-            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(pair, k, force),
-                 part * faces.image(pair, k, rubbing), part * bound, own);
+            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
+                 part * faces.image(k, rubbing), part * bound, own);
     }
     /// On a border: every face has the same share of the couple, as of the normal.
     FPM_KERNEL void loadBorder(Index i,
                                const Tracked<Work>& now,
-                               bool images,
                                const Vec3<Work>& force,
                                const Vec3<Work>& rubbing,
                                Work bound,
@@ -299,9 +319,8 @@ private:
         const FootFaces<Precision> faces(pair, i, now.face, now.at.xi, now.at.eta);
         const Work part = Work(1) / Work(faces.count);
         for (int k = 0; k < faces.count; ++k)
-            load(i, faces.face[k], faces.xi[k], faces.eta[k],
-                 part * (images ? faces.image(pair, k, force) : force),
-                 part * (images ? faces.image(pair, k, rubbing) : rubbing), part * bound, own);
+            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * force, part * rubbing,
+                 part * bound, own);
     }
     /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
     FPM_KERNEL void load(Index i,

@@ -41,13 +41,6 @@ struct FootFaces {
         }
         return mean;
     }
-    /// What a force in the first face is in another: as RidgeFaces.
-    FPM_KERNEL Vec3<Work>
-    image(const PairView<Precision>& pair, int k, const Vec3<Work>& force) const
-    {
-        if (k == 0) return force;
-        return imageOf(force, normal[0], normal[k], haveEdgeInCommon(pair, face[0], face[k]));
-    }
 
 private:
     FPM_KERNEL static bool isBorder(Work x) { return x * x >= Work(1); }
@@ -59,8 +52,7 @@ private:
     {
         const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(edge)];
         if (across >= noEdge) return vector;
-        const Work* plane = pair.mirrorNormal + 3 * mirrorEdge(across);
-        return inPlane(vector, Vec3<Work>{plane[0], plane[1], plane[2]});
+        return inPlane(vector, pair.mirror(mirrorEdge(across)));
     }
     FPM_KERNEL void
     add(const PairView<Precision>& pair, Index i, Index other, Work atXi, Work atEta)

@@ -56,17 +56,19 @@ struct PairView {
     const Index* contactorNumber; ///< its number among all contact nodes
     const Index*
         ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
-    const Index* ownFaceNode;     ///< ... [4 * entry + corner], node
-    const Index* faceNode;        ///< [4 * face + corner]
-    const Index* faceNumber;      ///< [4 * face + corner], number among all contact nodes
-    const Index* faceTarget;      ///< [4 * face + corner], number among the target nodes
-    const Index* neighbour;       ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
-                                  ///< corners i and i + 1
-    const Work* mirrorNormal;     ///< [3 * k]: unit normals of the planes of symmetry
-    const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
-    const Work* faceThickness;    ///< V / A
-    const Work* faceMass;         ///< of its lightest free corner, for contact damping
-    const Index* target;          ///< target nodes
+    const Index* ownFaceNode; ///< ... [4 * entry + corner], node
+    const Index* faceNode;    ///< [4 * face + corner]
+    const Index* faceNumber;  ///< [4 * face + corner], number among all contact nodes
+    const Index* faceTarget;  ///< [4 * face + corner], number among the target nodes
+    const Index* neighbour;   ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
+                              ///< corners i and i + 1
+    const Work* mirrorNormal; ///< [3 * k]: unit normals of the planes of symmetry
+    const std::uint8_t*
+        mirrors;               ///< planes a contactor lies on, a bit each: [nodeCount]; null: none
+    const Work* faceStiffness; ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
+    const Work* faceThickness; ///< V / A
+    const Work* faceMass;      ///< of its lightest free corner, for contact damping
+    const Index* target;       ///< target nodes
     const Index* targetFaceStart; ///< faces around a target node: CSR
     const Index* targetFaces;
     const Index* excludedStart; ///< faces that are no partner of a node, ascending: CSR over
@@ -117,6 +119,11 @@ struct PairView {
         return {Work(velocity[a]), Work(velocity[nodeStride + a]),
                 Work(velocity[2 * nodeStride + a])};
     }
+    FPM_KERNEL Vec3<Work> mirror(Index k) const
+    {
+        return {mirrorNormal[3 * k], mirrorNormal[3 * k + 1], mirrorNormal[3 * k + 2]};
+    }
+    FPM_KERNEL Index mirrorsOf(Index i) const { return mirrors ? mirrors[i % nodeCount] : 0; }
     /// Distance from a face at which a search finds it: within reach, or inside the target up to
     /// half its thickness, also after half a reach of the face's own way.
     FPM_KERNEL Work margin(Index number) const

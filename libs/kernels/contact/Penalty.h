@@ -16,12 +16,11 @@ struct PairLaw {
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
     const Work* contactorShare;     ///< of that stiffness; null: all of it
     FrictionLaw<Work> friction;
-    Work* stored;       ///< tangential force: two components in a face's frame, or a vector
-    Index* storedFace;  ///< whose frame that is, see ContactForce::withImages; null where `stored`
-                        ///< is a vector in space
-    double* spring;     ///< recoverable energy of normal and tangential spring
-    double* dissipated; ///< by friction, running sum
-    Work dampingRatio;  ///< zeta; 0: none, and the arrays below are empty
+    Work* stored;              ///< tangential force: two components in a face's frame, or a vector
+    Index* storedFace;         ///< whose frame that is; null where `stored` is a vector in space
+    double* spring;            ///< recoverable energy of normal and tangential spring
+    double* dissipated;        ///< by friction, running sum
+    Work dampingRatio;         ///< zeta; 0: none, and the arrays below are empty
     const Work* contactorMass; ///< m_c; 0: nothing can move the contactor
     double* dampingForce;      ///< at the last step
     double* damped;            ///< by contact damping, running sum
@@ -101,6 +100,11 @@ struct PairLaw {
             sum += dot(tangential, tangential) / (Work(2) * friction.stiffnessRatio * k);
         return double(sum);
     }
+    /// The tangential spring, of the square of its force, is lost to friction.
+    FPM_KERNEL void lose(Index i, Work square, Work k) const
+    {
+        if (square > 0) dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * k));
+    }
     /// No touch: what the tangential spring still held is lost to friction. `way` as above.
     FPM_KERNEL void open(Index i, Work k, Work way) const
     {
@@ -110,7 +114,7 @@ struct PairLaw {
         const Vec3<Work> held = storedVector(i);
         const Work square = dot(held, held);
         if (!(square > 0)) return;
-        dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * k));
+        lose(i, square, k);
         store(i, {Work(0), Work(0), Work(0)});
     }
 };

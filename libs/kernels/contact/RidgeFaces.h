@@ -38,29 +38,6 @@ FPM_KERNEL Work squareOfDiagonal(const FaceCorners<Work>& face)
     return dot(diagonal, diagonal);
 }
 
-/// What a force in a face is in another one that has an edge or only a corner in common with it,
-/// where all of them are alike: its image in the plane between the two, or turned by half a circle
-/// about the line between them.
-template <class Work>
-FPM_KERNEL Vec3<Work>
-imageOf(const Vec3<Work>& force, const Vec3<Work>& normal, const Vec3<Work>& other, bool adjacent)
-{
-    const Vec3<Work> axis = adjacent ? normal - other : normal + other;
-    const Work square = dot(axis, axis), two = adjacent ? Work(-2) : Work(2);
-    if (!(square > negligibleSquare<Work>())) return force;
-    const Vec3<Work> along = (two * dot(force, axis) / square) * axis;
-    return adjacent ? force + along : along - force;
-}
-template <class Precision>
-FPM_KERNEL bool haveEdgeInCommon(const PairView<Precision>& pair, Index a, Index b)
-{
-    for (int edge = 0; edge < 4; ++edge) {
-        const Index across = pair.neighbour[4 * std::size_t(a) + std::size_t(edge)];
-        if (across >= 0 && across / 4 == b) return true;
-    }
-    return false;
-}
-
 /// Faces to which a contactor inside a ridge is as near as to `face`, its feet inside all of them:
 /// those around one corner, four at most. The force belongs to all in equal shares, or a symmetric
 /// scene would move to one side.
@@ -72,6 +49,7 @@ struct RidgeFaces {
     Index face[most]; ///< the first is the one it is tracked on
     Work xi[most], eta[most];
     Vec3<Work> normal[most], offset[most];
+    bool adjacent[most]; ///< they have an edge in common with the first
     int count = 1;
 
     FPM_KERNEL
@@ -82,6 +60,7 @@ struct RidgeFaces {
         eta[0] = at.eta;
         normal[0] = at.normal;
         offset[0] = at.offset;
+        adjacent[0] = true;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
         const Index target = pair.faceTarget[4 * std::size_t(first) + std::size_t(corner)];
         const Work square = at.gap * at.gap;
@@ -91,12 +70,16 @@ struct RidgeFaces {
                 add(pair, i, pair.targetFaces[k], square);
     }
 
-    /// What a force in the first face is in another.
-    FPM_KERNEL Vec3<Work>
-    image(const PairView<Precision>& pair, int k, const Vec3<Work>& force) const
+    /// What a force in the first face is in another: its image in the plane between two neighbours,
+    /// turned by half a circle about the line between faces that have only a corner in common.
+    FPM_KERNEL Vec3<Work> image(int k, const Vec3<Work>& force) const
     {
         if (k == 0) return force;
-        return imageOf(force, normal[0], normal[k], haveEdgeInCommon(pair, face[0], face[k]));
+        const Vec3<Work> axis = adjacent[k] ? normal[0] - normal[k] : normal[0] + normal[k];
+        const Work square = dot(axis, axis), two = adjacent[k] ? Work(-2) : Work(2);
+        if (!(square > 0)) return force;
+        const Vec3<Work> along = (two * dot(force, axis) / square) * axis;
+        return adjacent[k] ? force + along : along - force;
     }
 
 private:
@@ -115,6 +98,11 @@ private:
         eta[count] = point.eta;
         normal[count] = at.normal;
         offset[count] = at.offset;
+        adjacent[count] = false;
+        for (int edge = 0; edge < 4; ++edge) {
+            const Index across = pair.neighbour[4 * std::size_t(face[0]) + std::size_t(edge)];
+            if (across >= 0 && across / 4 == other) adjacent[count] = true;
+        }
         ++count;
     }
 };

@@ -307,8 +307,8 @@ TEST(Tracking, InsideARidgeTheForceBelongsToAllFacesAsNear)
         const Vec3<double> force = now.at.normal + Vec3<double>{0.3, 0.2, 0.1};
         Vec3<double> sum{0, 0, 0};
         for (int k = 0; k < faces.count; ++k) {
-            sum += scene.image(faces, k, force);
-            const Vec3<double> normal = scene.image(faces, k, now.at.normal);
+            sum += faces.image(k, force);
+            const Vec3<double> normal = faces.image(k, now.at.normal);
             EXPECT_NEAR(dot(normal, faces.normal[k]), 1, 1e-12);
         }
         EXPECT_NEAR(sum.x, 0, 1e-12);

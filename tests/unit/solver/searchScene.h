@@ -71,10 +71,6 @@ public:
     {
         return {view(), query, now.face, now.at};
     }
-    Vec3<double> image(const RidgeFaces<DoublePrecision>& faces, int k, const Vec3<double>& force)
-    {
-        return faces.image(view(), k, force);
-    }
 
     /// Nearest partner of all faces, by trying each.
     Candidate<double> bruteForce(Index query)
