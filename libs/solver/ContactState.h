@@ -35,29 +35,33 @@ struct PairState {
     template <class T>
     using Of = Array<T, Executor>;
 
-    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
+    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaces, ownFaceNode, faceNode, faceNumber,
         faceTarget, neighbour;
     Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
-        contactorComponent, face, head, next;
+        contactorComponent, face, head;
+    Of<CellEntry> entries;
     Of<Index> frictionFace, searchBlocks;
-    Of<std::uint8_t> mayMeet, around, shared;
-    Of<Work> mirrorNormal, faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
-    Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
+    Of<std::uint8_t> mayMeet, around, shared, mirrors;
+    Of<float> ownNormal;
+    Of<Work> mirrorNormal, faceStiffness, faceThickness, xi, eta, friction, overlap;
+    Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
     Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
 
     static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
+    static bool rubs(const PairData& pair) { return pair.law.friction > 0; }
     /// The stored tangential force is kept in the frame of a face.
     static bool convectedFriction(const PairData& pair)
     {
-        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
+        return rubs(pair) && !pair.law.paperFriction && pair.surface < 0;
     }
 
     explicit PairState(const PairData& pair)
         : contactor(pair.contactor),
           contactorNumber(pair.contactorNumber),
           ownFaceStart(pair.ownFaceStart),
+          ownFaces(pair.ownFaces),
           ownFaceNode(pair.ownFaceNode),
           faceNode(pair.faceNode),
           faceNumber(pair.faceNumber),
@@ -76,23 +80,22 @@ struct PairState {
           searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
+          mirrors(pair.mirrors),
+          ownNormal(3 * std::size_t(pair.nodeCount)),
           mirrorNormal(converted<Work>(pair.mirrorNormal)),
           faceStiffness(converted<Work>(pair.faceStiffness)),
           faceThickness(converted<Work>(pair.faceThickness)),
-          ownNormal(3 * std::size_t(pair.nodeCount)),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
-          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
-                                         : 0),
+          friction(rubs(pair) ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size() : 0),
           overlap(pair.contactor.size()),
           contactorStiffness(converted<Work>(pair.contactorStiffness)),
-          contactorShare(converted<Work>(pair.contactorShare)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
           heldStiffness(pair.unequalFaces ? pair.contactor.size() : 0),
           force(3 * pair.contactor.size()),
           spring(pair.contactor.size()),
-          dissipated(pair.contactor.size()),
+          dissipated(rubs(pair) ? pair.contactor.size() : 0),
           dampingForce(damps(pair) ? pair.contactor.size() : 0),
           damped(damps(pair) ? pair.contactor.size() : 0),
           surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
@@ -100,14 +103,13 @@ struct PairState {
           counts(pairCounts)
     {
         const bool faces = pair.search == ContactSearch::faces;
-        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
-        // A face seldom fills all of its eight cells.
-        const std::size_t heads = faces ? entries : 2 * entries;
+        entries = Of<CellEntry>(faces ? pair.faceThickness.size() : pair.target.size());
+        // The middles of several faces lie in one cell; of target nodes it may be one.
+        const std::size_t lists = (faces ? 1 : 2) * entries.size();
         std::uint32_t size = 16;
-        while (size < heads) size *= 2;
+        while (size < lists) size *= 2;
         mask = size - 1;
-        head = Of<Index>(size);
-        next = Of<Index>(entries);
+        head = Of<Index>(std::size_t(size) + std::size_t(pair.levels) + 1);
     }
 
     /// What the kernels see of the pair, but for the state of the particles.
@@ -121,6 +123,7 @@ struct PairState {
         v.contactor = contactor.data();
         v.contactorNumber = contactorNumber.data();
         v.ownFaceStart = ownFaceStart.data();
+        v.ownFaces = ownFaces.data();
         v.ownFaceNode = ownFaceNode.data();
         v.faceNode = faceNode.data();
         v.faceNumber = faceNumber.data();
@@ -166,7 +169,7 @@ struct PairState {
                           : l.penalty == PenaltyRule::target ? PenaltySource::target
                                                              : PenaltySource::lesser,
                 .contactorStiffness = contactorStiffness.data(),
-                .contactorShare = contactorShare.data(),
+                .mirrors = mirrors.data(),
                 .friction = {.staticCoefficient = Work(slow),
                              .dynamicCoefficient = Work(fast < 0 ? slow : fast),
                              .decay = l.frictionDecay,
@@ -185,26 +188,43 @@ struct PairState {
 
     CellLists cells(const PairData& pair)
     {
-        return {head.data(), next.data(), mask, pair.cellSize, pair.levels};
+        return {head.data(), entries.data(), mask, pair.cellSize, pair.levels};
     }
 
     std::size_t bytes() const
     {
         std::size_t sum = 0;
-        for (const Of<Index>* array :
-             {&contactor, &contactorNumber, &ownFaceStart, &ownFaceNode, &faceNode, &faceNumber,
-              &faceTarget, &neighbour, &target, &targetFaceStart, &targetFaces, &excludedStart,
-              &excluded, &faceComponent, &contactorComponent, &face, &head, &next, &frictionFace})
+        for (const Of<Index>* array : {&contactor,
+                                       &contactorNumber,
+                                       &ownFaceStart,
+                                       &ownFaces,
+                                       &ownFaceNode,
+                                       &faceNode,
+                                       &faceNumber,
+                                       &faceTarget,
+                                       &neighbour,
+                                       &target,
+                                       &targetFaceStart,
+                                       &targetFaces,
+                                       &excludedStart,
+                                       &excluded,
+                                       &faceComponent,
+                                       &contactorComponent,
+                                       &face,
+                                       &head,
+                                       &frictionFace,
+                                       &searchBlocks})
             sum += array->bytes();
-        for (const Of<Work>* array : {&mirrorNormal, &faceStiffness, &faceThickness, &ownNormal,
-                                      &xi, &eta, &friction, &overlap, &contactorStiffness,
-                                      &contactorShare, &contactorMass, &faceMass, &heldStiffness})
+        for (const Of<Work>* array :
+             {&mirrorNormal, &faceStiffness, &faceThickness, &xi, &eta, &friction, &overlap,
+              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
              {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
-        return sum + searchBlocks.bytes() + mayMeet.bytes() + around.bytes() + shared.bytes()
-               + counts.bytes();
+        for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
+            sum += array->bytes();
+        return sum + entries.bytes() + ownNormal.bytes() + counts.bytes();
     }
 };
 
@@ -218,7 +238,7 @@ void searchPass(Executor& executor,
                 const NodeBlocks& blocks)
 {
     const Index count = blocks.nodes(view.nodeCount);
-    executor.parallelFor(Index(cells.mask) + 1, Fill<Index>{cells.head, Index(-1)});
+    executor.parallelFor(Index(cells.mask) + cells.levels + 2, Fill<Index>{cells.head, Index(-1)});
     executor.parallelFor(count, InBlocks{blocks, view.nodeCount, ContactorNormal<Precision>{view}});
     if (faces) {
         executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});

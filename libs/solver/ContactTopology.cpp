@@ -1,4 +1,4 @@
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/CellLists.h"
 #include "mesh/Vector.h"
 #include "solver/SolverData.h"
 
@@ -85,8 +85,9 @@ void addTopology(PairData& pair, const std::vector<Point>& points)
         pair.cellSize = std::max(pair.meanFaceSize, longest / std::sqrt(3.0) + pair.reach);
         return;
     }
-    pair.cellSize = narrowest;
-    pair.levels = 1 + Index(std::ceil(std::log2(widest / narrowest)));
+    pair.cellSize = 0.5 * narrowest;
+    pair.levels =
+        std::min(CellLists::mostLevels, 1 + Index(std::ceil(std::log2(widest / narrowest))));
 }
 
 } // namespace fpm

@@ -63,6 +63,7 @@ private:
     void searchContact();
     void searchOne(const SearchSchedule::Due& due);
     void shareContactNodes(std::size_t pass);
+    SearchSchedule::Positions contactPositions() const;
     void rememberPositions(const std::vector<SearchSchedule::Due>& searched);
     void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);

@@ -132,31 +132,32 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
     using Motion = typename Precision::Motion;
     const std::size_t count = data_.contactNodes.size();
     const std::vector<std::int64_t> old = state_.contactSum.toHost();
-    const std::vector<Motion> inverseMass = converted<Motion>(data_.contactInverseMass);
     std::vector<std::int64_t> sum(4 * count);
     std::vector<double> limit(state_.blocks(Index(count)));
     const std::vector<double> limits = state_.contactLimit.toHost();
     const std::vector<double> ofBodies(limits.begin() + contactBlocks(), limits.end());
     const ForceScale& scale = data_.contactScale;
     for (std::size_t i = 0; i < count; ++i) {
-        const Index number = numbers[std::size_t(data_.contactNodes[i])];
+        const std::size_t node = std::size_t(data_.contactNodes[i]);
+        const Index number = numbers[node];
         if (number < 0) continue;
         const std::int64_t* from = &old[4 * std::size_t(number)];
         for (std::size_t c = 0; c < 3; ++c) sum[4 * i + c] = scale.force(before.toForce(from[c]));
         const double stiffness = before.toStiffness(from[3]);
         sum[4 * i + 3] = scale.spring(stiffness);
         double& most = limit[i / ContactLimit<Motion>::block];
-        most = std::max(most, stiffness * double(inverseMass[i]));
+        if (!(data_.fixed[node] & imposedNode))
+            most = std::max(most, stiffness * double(Motion(1 / data_.nodeMass[node])));
     }
     using Numbers = Array<Index, Executor>;
     state_.contactNodes = Numbers(data_.contactNodes);
     state_.contactNumber = Numbers(data_.contactNumber);
-    state_.contactInverseMass = Array<Motion, Executor>(inverseMass);
     state_.contactSum = Array<std::int64_t, Executor>(sum);
     state_.contactTravel = Array<double, Executor>(2 * limit.size());
     limit.insert(limit.end(), ofBodies.begin(), ofBodies.end());
     state_.contactLimit = Array<double, Executor>(limit);
-    state_.searchPosition = Array<double, Executor>(3 * count);
+    state_.searchOrigin = Array<double, Executor>(3 * state_.blocks(Index(count)));
+    state_.searchOffset = Array<float, Executor>(3 * count);
 }
 
 } // namespace fpm

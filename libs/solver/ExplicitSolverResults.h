@@ -137,8 +137,10 @@ ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
     const std::vector<std::int64_t> sum = state_.contactSum.toHost();
     double most = 0;
     for (std::size_t i = 0; i < data_.contactNodes.size(); ++i) {
+        const std::size_t node = std::size_t(data_.contactNodes[i]);
+        if (data_.fixed[node] & imposedNode) continue;
         const double square =
-            data_.contactScale.toStiffness(sum[4 * i + 3]) * data_.contactInverseMass[i];
+            data_.contactScale.toStiffness(sum[4 * i + 3]) * (1 / data_.nodeMass[node]);
         if (!(square > most)) continue;
         most = square;
         out = {data_.contactNodes[i], -1, std::sqrt(square)};

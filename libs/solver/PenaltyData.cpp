@@ -25,7 +25,7 @@ double penalty(const Model& model, const ElementSide& side)
 /// 0: nothing can move the node.
 double massOf(const SolverData& data, Index node)
 {
-    return movesFreely(data, std::size_t(node)) ? data.nodeMass[std::size_t(node)] : 0;
+    return (data.fixed[std::size_t(node)] & imposedNode) ? 0 : data.nodeMass[std::size_t(node)];
 }
 
 /// Mass of the lightest corner of a face that can be moved; 0: none can.
@@ -60,31 +60,21 @@ std::vector<double> ownStiffness(const Model& model,
 
 /// A contactor on a mirror plane is half a node, one on two of them a quarter: it gets as much of
 /// the stiffness, so that half a model meets as the whole one does.
-std::vector<double> mirrorShares(const Model& model, const std::vector<Index>& contactors)
+std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>& contactors)
 {
-    std::vector<double> share(model.mesh.points.size(), 1);
+    std::vector<std::uint8_t> planes(model.mesh.points.size(), 0), out;
     bool any = false;
     for (const BoundaryCondition& condition : model.boundaryConditions)
         if (condition.mirror)
-            for (const Index node : condition.nodes) share[std::size_t(node)] *= 0.5;
-    std::vector<double> out;
+            for (const Index node : condition.nodes) ++planes[std::size_t(node)];
     for (const Index node : contactors) {
-        out.push_back(share[std::size_t(node)]);
-        any |= out.back() < 1;
+        out.push_back(planes[std::size_t(node)]);
+        any |= out.back() > 0;
     }
-    return any ? out : std::vector<double>{};
+    return any ? out : std::vector<std::uint8_t>{};
 }
 
 } // namespace
-
-bool movesFreely(const SolverData& data, std::size_t node)
-{
-    int imposed = data.fixed[node];
-    if (!data.conditionStart.empty())
-        for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k)
-            if (const int axis = data.uses[std::size_t(k)].axis; axis >= 0) imposed |= 1 << axis;
-    return (imposed & 7) != 7;
-}
 
 void addPenalty(PairData& out,
                 const SolverData& data,
@@ -105,7 +95,7 @@ void addPenalty(PairData& out,
         for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
         return;
     }
-    out.contactorShare = mirrorShares(model, out.contactor);
+    out.mirrors = mirrorsOf(model, out.contactor);
     for (const ElementSide& side : target)
         out.faceStiffness.push_back(scale * penalty(model, side));
     const bool rigidFaces =

@@ -34,14 +34,14 @@ struct PairData {
     Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
     bool forgives = false; ///< initial overlap makes no force
     double fadeTime = 0;   ///< > 0: for a time only
-    std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
+    std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaces, ownFaceNode;
     std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
     std::vector<double> mirrorNormal; ///< [3 * k]: of the plane that mirrorEdge(k) lies on
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
-    std::vector<double> contactorShare; ///< of the stiffness; empty: 1 everywhere
+    std::vector<std::uint8_t> mirrors; ///< planes of symmetry a contactor lies on; empty: none
     std::vector<Index> target, targetFaceStart, targetFaces;
     std::vector<Index> excludedStart, excluded;           ///< empty: none
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
@@ -108,7 +108,6 @@ struct SolverData {
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
     std::vector<Index> contactNodes;    ///< node of each contact node
     std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
-    std::vector<double> contactInverseMass;
     ForceScale contactScale;
 
     /// Position of element e (mesh order) in tiles: tile and place.

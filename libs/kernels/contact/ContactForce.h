@@ -4,6 +4,7 @@
 #include "kernels/contact/FootFaces.h"
 #include "kernels/contact/Overlap.h"
 #include "kernels/contact/Search.h"
+#include "kernels/particle/InteriorNodes.h"
 
 namespace fpm {
 
@@ -347,7 +348,9 @@ template <class Motion>
 struct ContactLimit {
     Index count;
     const std::int64_t* sum;
-    const Motion* inverseMass; ///< of each contact node; 0 where its motion is imposed
+    const Index* nodes;
+    const Motion* inverseMass; ///< of all nodes
+    const std::uint8_t* fixed; ///< likewise, see InteriorNodes
     ForceScale scale;
     double* blockLimit;
     const StepClock* clock;
@@ -363,8 +366,9 @@ struct ContactLimit {
         double* partial = values + block;
         const Index first = number * block, size = count - first < block ? count - first : block;
         team.forEach(size, [&](Index i) {
-            const std::size_t node = std::size_t(first + i);
-            values[i] = -scale.toStiffness(sum[4 * node + 3]) * double(inverseMass[node]);
+            const std::size_t at = std::size_t(first + i), node = std::size_t(nodes[at]);
+            const double inverse = fixed[node] & imposedNode ? 0 : double(inverseMass[node]);
+            values[i] = -scale.toStiffness(sum[4 * at + 3]) * inverse;
         });
         team.barrier();
         blockMinimum(team, size, values, partial);

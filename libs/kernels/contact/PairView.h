@@ -56,7 +56,8 @@ struct PairView {
     const Index* contactorNumber; ///< its number among all contact nodes
     const Index*
         ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
-    const Index* ownFaceNode;     ///< ... [4 * entry + corner], node
+    const Index* ownFaces;
+    const Index* ownFaceNode;     ///< [4 * own face + corner], node
     const Index* faceNode;        ///< [4 * face + corner]
     const Index* faceNumber;      ///< [4 * face + corner], number among all contact nodes
     const Index* faceTarget;      ///< [4 * face + corner], number among the target nodes
@@ -77,7 +78,7 @@ struct PairView {
     const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all may
     Index components;
 
-    Work* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
+    float* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
     Index* face;
     Work *xi, *eta;
     std::uint8_t* around; ///< what the last search found around it, as Around
@@ -148,7 +149,8 @@ struct PairView {
     FPM_KERNEL Vec3<Work> ownNormalOf(Index i) const
     {
         const Index base = i % nodeCount;
-        return {ownNormal[base], ownNormal[nodeCount + base], ownNormal[2 * nodeCount + base]};
+        return {Work(ownNormal[base]), Work(ownNormal[nodeCount + base]),
+                Work(ownNormal[2 * nodeCount + base])};
     }
 };
 

@@ -14,7 +14,8 @@ struct PairLaw {
     Index count;
     PenaltySource source;
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
-    const Work* contactorShare;     ///< of that stiffness; null: all of it
+    const std::uint8_t*
+        mirrors; ///< planes of symmetry it lies on, each of which halves it; null: 0
     FrictionLaw<Work> friction;
     Work* stored;       ///< tangential force: two components in a face's frame, or a vector
     Index* storedFace;  ///< whose frame that is, see ContactForce::withImages; null where `stored`
@@ -30,8 +31,10 @@ struct PairLaw {
     /// k_n between contactor i and a face. A rigid side has stiffness 0: the other's counts.
     FPM_KERNEL Work stiffness(Index i, Work face) const
     {
-        const Work whole = wholeStiffness(i, face);
-        return contactorShare ? contactorShare[i] * whole : whole;
+        Work stiffness = wholeStiffness(i, face);
+        if (mirrors)
+            for (int plane = 0; plane < mirrors[i]; ++plane) stiffness *= Work(0.5);
+        return stiffness;
     }
     FPM_KERNEL Work wholeStiffness(Index i, Work face) const
     {

@@ -282,15 +282,12 @@ private:
     {
         const Index body = pair.componentOf(here.face);
         Candidate<Work> best{noFace, {}, 0};
-        for (Index level = 0; level <= cells.levels; ++level)
-            for (Index entry = cells.first(pair, pair.contactor[i], level); entry >= 0;
-                 entry = cells.next[entry]) {
-                Candidate<Work> other;
-                if (entry / 8 != here.face && pair.componentOf(entry / 8) == body
-                    && isPartner(pair, i, entry / 8, other)
-                    && (best.face < 0 || isNearer(other, best)))
-                    best = other;
-            }
+        cells.forEachFace(pair, pair.contactor[i], [&](Index face) {
+            Candidate<Work> other;
+            if (face != here.face && pair.componentOf(face) == body
+                && isPartner(pair, i, face, other) && (best.face < 0 || isNearer(other, best)))
+                best = other;
+        });
         if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
         here = best;
         corners = pair.corners(here.face, pair.contactor[i]);
