@@ -155,7 +155,7 @@ PairData makePass(const SolverData& data,
     out.projection = pair.projection;
     out.law = pair;
     if (own.empty() || target.empty()) { // deletion has left nothing to touch
-        out.ownFaceStart = out.targetFaceStart = {0};
+        out.ownFaceStart = {0};
         out.cellSize = 1;
         out.reach = 1e30;
         return out;
@@ -243,12 +243,6 @@ void addContact(SolverData& data, const Model& model)
     for (std::size_t i = 0; i < data.contactNodes.size(); ++i) {
         const std::size_t node = std::size_t(data.contactNodes[i]);
         data.contactNumber[node] = Index(i);
-    }
-    for (PairData& pair : data.pairs) {
-        for (const Index node : pair.contactor)
-            pair.contactorNumber.push_back(data.contactNumber[std::size_t(node)]);
-        for (const Index node : pair.faceNode)
-            pair.faceNumber.push_back(data.contactNumber[std::size_t(node)]);
     }
     // Were every contactor on one node, with the largest force, the sum would stay below 2^62.
     const double room = std::exp2(61 - std::ceil(std::log2(double(contactors + 1))));

@@ -35,10 +35,8 @@ struct PairState {
     template <class T>
     using Of = Array<T, Executor>;
 
-    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaces, ownFaceNode, faceNode, faceNumber,
-        faceTarget, neighbour;
-    Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
-        contactorComponent, face, head;
+    Of<Index> contactor, ownFaceStart, ownFaces, ownFaceNode, faceNode, nextAround, neighbour;
+    Of<Index> targetCorner, excludedStart, excluded, faceComponent, contactorComponent, face, head;
     Of<CellEntry> entries;
     Of<Index> frictionFace, searchBlocks;
     Of<std::uint8_t> mayMeet, around, shared, mirrors;
@@ -59,17 +57,14 @@ struct PairState {
 
     explicit PairState(const PairData& pair)
         : contactor(pair.contactor),
-          contactorNumber(pair.contactorNumber),
           ownFaceStart(pair.ownFaceStart),
           ownFaces(pair.ownFaces),
           ownFaceNode(pair.ownFaceNode),
           faceNode(pair.faceNode),
-          faceNumber(pair.faceNumber),
-          faceTarget(pair.faceTarget),
+          nextAround(pair.nextAround),
           neighbour(pair.neighbour),
-          target(pair.target),
-          targetFaceStart(pair.targetFaceStart),
-          targetFaces(pair.targetFaces),
+          targetCorner(pair.search == ContactSearch::closestParticle ? pair.targetCorner
+                                                                     : std::vector<Index>{}),
           excludedStart(pair.excludedStart),
           excluded(pair.excluded),
           faceComponent(pair.faceComponent),
@@ -118,23 +113,19 @@ struct PairState {
         PairView<Precision> v{};
         v.contactorCount = Index(contactor.size());
         v.faceCount = Index(faceThickness.size());
-        v.targetCount = Index(target.size());
+        v.targetCount = Index(targetCorner.size());
         v.nodeCount = pair.nodeCount;
         v.contactor = contactor.data();
-        v.contactorNumber = contactorNumber.data();
         v.ownFaceStart = ownFaceStart.data();
         v.ownFaces = ownFaces.data();
         v.ownFaceNode = ownFaceNode.data();
         v.faceNode = faceNode.data();
-        v.faceNumber = faceNumber.data();
-        v.faceTarget = faceTarget.data();
+        v.nextAround = nextAround.data();
         v.neighbour = neighbour.data();
         v.mirrorNormal = mirrorNormal.data();
         v.faceStiffness = faceStiffness.data();
         v.faceThickness = faceThickness.data();
-        v.target = target.data();
-        v.targetFaceStart = targetFaceStart.data();
-        v.targetFaces = targetFaces.data();
+        v.targetCorner = targetCorner.data();
         v.excludedStart = excludedStart.data();
         v.excluded = excluded.data();
         v.faceComponent = faceComponent.data();
@@ -194,26 +185,10 @@ struct PairState {
     std::size_t bytes() const
     {
         std::size_t sum = 0;
-        for (const Of<Index>* array : {&contactor,
-                                       &contactorNumber,
-                                       &ownFaceStart,
-                                       &ownFaces,
-                                       &ownFaceNode,
-                                       &faceNode,
-                                       &faceNumber,
-                                       &faceTarget,
-                                       &neighbour,
-                                       &target,
-                                       &targetFaceStart,
-                                       &targetFaces,
-                                       &excludedStart,
-                                       &excluded,
-                                       &faceComponent,
-                                       &contactorComponent,
-                                       &face,
-                                       &head,
-                                       &frictionFace,
-                                       &searchBlocks})
+        for (const Of<Index>* array :
+             {&contactor, &ownFaceStart, &ownFaces, &ownFaceNode, &faceNode, &nextAround,
+              &neighbour, &targetCorner, &excludedStart, &excluded, &faceComponent,
+              &contactorComponent, &face, &head, &frictionFace, &searchBlocks})
             sum += array->bytes();
         for (const Of<Work>* array :
              {&mirrorNormal, &faceStiffness, &faceThickness, &xi, &eta, &friction, &overlap,

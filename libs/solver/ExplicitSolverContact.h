@@ -17,6 +17,7 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
     view.position = state_.position.data();
     view.velocity = state_.velocity.data();
     view.nodeStride = std::size_t(data_.nodeCount);
+    view.contactNumber = state_.contactNumber.data();
     view.sums = contactSums();
     view.sums.shared = state_.pairs[number].shared.data();
     view.clock = state_.clock.data();
@@ -32,7 +33,7 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
     sums.alone = executor_.threads() > 0; // each contactor pushes its own node only
     return {.contactorCount = Index(s.contactor.size()),
             .contactor = s.contactor.data(),
-            .contactorNumber = s.contactorNumber.data(),
+            .contactNumber = state_.contactNumber.data(),
             .force = s.force.data(),
             .work = s.surfaceWork.data(),
             .position = state_.position.data(),

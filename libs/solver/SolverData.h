@@ -34,15 +34,15 @@ struct PairData {
     Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
     bool forgives = false; ///< initial overlap makes no force
     double fadeTime = 0;   ///< > 0: for a time only
-    std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaces, ownFaceNode;
-    std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
+    std::vector<Index> contactor, ownFaceStart, ownFaces, ownFaceNode;
+    std::vector<Index> faceNode, nextAround, neighbour;
     std::vector<double> mirrorNormal; ///< [3 * k]: of the plane that mirrorEdge(k) lies on
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
     std::vector<std::uint8_t> mirrors; ///< planes of symmetry a contactor lies on; empty: none
-    std::vector<Index> target, targetFaceStart, targetFaces;
+    std::vector<Index> target, targetCorner;              ///< nodes, and a corner of a face at each
     std::vector<Index> excludedStart, excluded;           ///< empty: none
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
     std::vector<std::uint8_t> mayMeet;

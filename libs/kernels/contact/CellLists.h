@@ -124,7 +124,7 @@ struct InsertTarget {
 
     FPM_KERNEL void operator()(Index i) const
     {
-        const std::size_t node = std::size_t(pair.target[i]);
+        const std::size_t node = std::size_t(pair.targetNode(i));
         std::int64_t cell[3];
         for (int c = 0; c < 3; ++c)
             cell[c] = CellLists::cellOf(double(pair.position[c * pair.nodeStride + node]),

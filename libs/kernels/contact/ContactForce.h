@@ -258,6 +258,7 @@ private:
     {
         const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
+        const Index number = pair.contactNumber[pair.contactor[i]];
         std::int64_t own[3] = {0, 0, 0};
         if (!closed)
             loadStiffness(now.face, now.at.xi, now.at.eta, bound);
@@ -269,11 +270,11 @@ private:
         else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
-            sums.addForce(pair.contactorNumber[i], own);
+            sums.addForce(number, own);
             for (int c = 0; c < 3; ++c)
                 pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
         }
-        sums.addStiffness(pair.contactorNumber[i], double(bound));
+        sums.addStiffness(number, double(bound));
     }
     FPM_KERNEL void loadRidge(Index i,
                               const Tracked<Work>& now,
@@ -322,7 +323,7 @@ private:
             couple = CornerCouple<Work>(pair.corners(face, pair.contactor[i]), xi, eta, rubbing);
         const ContactSums& sums = pair.sums;
         for (int k = 0; k < 4; ++k) {
-            const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
+            const Index corner = Index(pair.contactNumberAt(face, k));
             Vec3<Work> onCorner = -n[k] * force;
             if (rubs) onCorner += couple.at(k);
             const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
@@ -338,8 +339,7 @@ private:
         Work n[4];
         shapeFunctions(xi, eta, n);
         for (int k = 0; k < 4; ++k)
-            pair.sums.addStiffness(pair.faceNumber[4 * std::size_t(face) + k],
-                                   double(n[k] * bound));
+            pair.sums.addStiffness(Index(pair.contactNumberAt(face, k)), double(n[k] * bound));
     }
 };
 

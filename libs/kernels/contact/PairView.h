@@ -52,24 +52,23 @@ struct PairView {
 
     Index contactorCount, faceCount, targetCount;
     Index nodeCount; ///< contactors without repetition: contactor i has the node of i % nodeCount
-    const Index* contactor;       ///< node
-    const Index* contactorNumber; ///< its number among all contact nodes
+    const Index* contactor;     ///< node
+    const Index* contactNumber; ///< of each node of the model among all contact nodes, or -1
     const Index*
         ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
     const Index* ownFaces;
-    const Index* ownFaceNode;     ///< [4 * own face + corner], node
-    const Index* faceNode;        ///< [4 * face + corner]
-    const Index* faceNumber;      ///< [4 * face + corner], number among all contact nodes
-    const Index* faceTarget;      ///< [4 * face + corner], number among the target nodes
-    const Index* neighbour;       ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
-                                  ///< corners i and i + 1
-    const Work* mirrorNormal;     ///< [3 * k]: unit normals of the planes of symmetry
-    const Work* faceStiffness;    ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
-    const Work* faceThickness;    ///< V / A
-    const Work* faceMass;         ///< of its lightest free corner, for contact damping
-    const Index* target;          ///< target nodes
-    const Index* targetFaceStart; ///< faces around a target node: CSR
-    const Index* targetFaces;
+    const Index* ownFaceNode;   ///< [4 * own face + corner], node
+    const Index* faceNode;      ///< [4 * face + corner]
+    const Index* nextAround;    ///< [4 * face + corner]: 4 * face + corner of the next face around
+                                ///< the same node, ascending; after the last the first
+    const Index* neighbour;     ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
+                                ///< corners i and i + 1
+    const Work* mirrorNormal;   ///< [3 * k]: unit normals of the planes of symmetry
+    const Work* faceStiffness;  ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
+    const Work* faceThickness;  ///< V / A
+    const Work* faceMass;       ///< of its lightest free corner, for contact damping
+    const Index* targetCorner;  ///< a corner of a face at each target node, as in nextAround: the
+                                ///< first; only for `search closestParticle`
     const Index* excludedStart; ///< faces that are no partner of a node, ascending: CSR over
                                 ///< [nodeCount]; null: none
     const Index* excluded;
@@ -117,6 +116,21 @@ struct PairView {
         const std::size_t a = std::size_t(node);
         return {Work(velocity[a]), Work(velocity[nodeStride + a]),
                 Work(velocity[2 * nodeStride + a])};
+    }
+    /// visit(face) for the faces around a corner of one, ascending, until it says false.
+    template <class Visit>
+    FPM_KERNEL void visitAround(Index number, int corner, const Visit& visit) const
+    {
+        Index last = 4 * number + corner;
+        while (nextAround[last] > last) last = nextAround[last];
+        Index at = last;
+        do at = nextAround[at];
+        while (visit(at / 4) && at != last);
+    }
+    FPM_KERNEL Index targetNode(Index i) const { return faceNode[targetCorner[i]]; }
+    FPM_KERNEL std::size_t contactNumberAt(Index number, int corner) const
+    {
+        return std::size_t(contactNumber[faceNode[4 * std::size_t(number) + std::size_t(corner)]]);
     }
     /// Distance from a face at which a search finds it: within reach, or inside the target up to
     /// half its thickness, also after half a reach of the face's own way.

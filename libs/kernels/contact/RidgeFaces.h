@@ -83,12 +83,11 @@ struct RidgeFaces {
         normal[0] = at.normal;
         offset[0] = at.offset;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
-        const Index target = pair.faceTarget[4 * std::size_t(first) + std::size_t(corner)];
         const Work square = at.gap * at.gap;
-        for (Index k = pair.targetFaceStart[target];
-             k < pair.targetFaceStart[target + 1] && count < most; ++k)
-            if (pair.targetFaces[k] != first && pair.mayTouch(i, pair.targetFaces[k]))
-                add(pair, i, pair.targetFaces[k], square);
+        pair.visitAround(first, corner, [&](Index other) {
+            if (other != first && pair.mayTouch(i, other)) add(pair, i, other, square);
+            return count < most;
+        });
     }
 
     /// What a force in the first face is in another.

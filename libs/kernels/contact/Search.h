@@ -199,21 +199,24 @@ struct FindClosestParticle {
             return; // the faces around it are at hand, and projected on at every step
         NearestFaces<Work> found;
         if (closest >= 0)
-            for (Index k = pair.targetFaceStart[closest]; k < pair.targetFaceStart[closest + 1];
-                 ++k) {
-                Candidate<Work> candidate;
-                if (isPartner(pair, i, pair.targetFaces[k], candidate)) found.add(candidate, 0, 1);
-            }
+            pair.visitAround(pair.targetCorner[closest] / 4, pair.targetCorner[closest] % 4,
+                             [&](Index face) {
+                                 Candidate<Work> candidate;
+                                 if (isPartner(pair, i, face, candidate))
+                                     found.add(candidate, 0, 1);
+                                 return true;
+                             });
         SlotChoice<Precision>{pair, i}.enter(found, aroundCurved);
     }
 
 private:
     FPM_KERNEL bool hasCorner(Index face, Index target) const
     {
-        const Index* corner = pair.faceTarget + 4 * std::size_t(face < 0 ? 0 : face);
+        const Index* corner = pair.faceNode + 4 * std::size_t(face < 0 ? 0 : face);
+        const Index node = pair.targetNode(target);
         return face >= 0
-               && (corner[0] == target || corner[1] == target || corner[2] == target
-                   || corner[3] == target);
+               && (corner[0] == node || corner[1] == node || corner[2] == node
+                   || corner[3] == node);
     }
     FPM_KERNEL Index closestTarget(Index i) const
     {
@@ -228,7 +231,7 @@ private:
             const Index* list = cells.list(cell[0] + near % 3 - 1, cell[1] + near / 3 % 3 - 1,
                                            cell[2] + near / 9 - 1);
             for (Index k = *list; k >= 0; k = cells.entries[k].next) {
-                const Vec3<Work> r = pair.relative(pair.target[k], node);
+                const Vec3<Work> r = pair.relative(pair.targetNode(k), node);
                 const Work square = dot(r, r);
                 if (closest < 0 || square < best || (square == best && k < closest)) {
                     closest = k;

@@ -43,8 +43,6 @@ public:
         }
         data_.nodeCount = Index(queries.size());
         data_.ownFaceStart.assign(queries.size() + 1, 0); // no faces of their own: no filter
-        data_.contactorNumber.assign(queries.size(), 0);
-        data_.faceNumber.assign(data_.faceNode.size(), 0);
         state_.emplace(data_);
         upload();
     }
