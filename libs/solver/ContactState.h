@@ -5,6 +5,8 @@
 #include "parallel/Array.h"
 #include "solver/PenaltyData.h"
 
+#include <array>
+
 namespace fpm {
 
 /// Copies values into another number type. Static, as all helpers here: a copy of its own for each
@@ -43,7 +45,9 @@ struct PairState {
     Of<float> ownNormal;
     Of<Work> mirrorNormal, faceStiffness, faceThickness, xi, eta, friction, overlap;
     Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
-    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
+    Of<std::int64_t> force;  ///< of faces, see BlockForce
+    Of<double> surfaceForce; ///< of an analytic surface on each contactor
+    Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
 
@@ -88,7 +92,11 @@ struct PairState {
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
           heldStiffness(pair.unequalFaces ? pair.contactor.size() : 0),
-          force(3 * pair.contactor.size()),
+          force(pair.surface < 0
+                    ? BlockForce::values
+                          * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))
+                    : 0),
+          surfaceForce(pair.surface >= 0 ? 3 * pair.contactor.size() : 0),
           spring(pair.contactor.size()),
           dissipated(rubs(pair) ? pair.contactor.size() : 0),
           dampingForce(damps(pair) ? pair.contactor.size() : 0),
@@ -177,6 +185,15 @@ struct PairState {
                 .limitFactor = Work(dampingLimit(l))};
     }
 
+    /// Of the faces on all contactors, fixed point.
+    std::array<std::int64_t, 3> forceSum() const
+    {
+        std::array<std::int64_t, 3> sum{};
+        const std::vector<std::int64_t> parts = force.toHost();
+        for (std::size_t k = 0; k < parts.size(); ++k) sum[k % 3] += parts[k];
+        return sum;
+    }
+
     CellLists cells(const PairData& pair)
     {
         return {head.data(), entries.data(), mask, pair.cellSize, pair.levels};
@@ -195,11 +212,11 @@ struct PairState {
               &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
-             {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
+             {&surfaceForce, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
         for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
             sum += array->bytes();
-        return sum + entries.bytes() + ownNormal.bytes() + counts.bytes();
+        return sum + force.bytes() + entries.bytes() + ownNormal.bytes() + counts.bytes();
     }
 };
 

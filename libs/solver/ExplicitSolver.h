@@ -72,7 +72,7 @@ private:
     void followDeletions();
     void endPressures(const std::vector<bool>& deleted);
     void renewContact(const std::vector<bool>& deleted);
-    void renewPair(std::size_t pair, const PairRenewal& from);
+    void renewPair(std::size_t pair, const PairRenewal& from, const ForceScale& before);
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
     ContactSums contactSums();

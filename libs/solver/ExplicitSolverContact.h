@@ -34,7 +34,7 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
     return {.contactorCount = Index(s.contactor.size()),
             .contactor = s.contactor.data(),
             .contactNumber = state_.contactNumber.data(),
-            .force = s.force.data(),
+            .force = s.surfaceForce.data(),
             .work = s.surfaceWork.data(),
             .position = state_.position.data(),
             .velocity = state_.velocity.data(),

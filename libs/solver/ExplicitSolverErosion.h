@@ -35,7 +35,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
     const ForceScale scale = data_.contactScale;
     if (!erosion_->renewContact(data_, deleted)) return;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
-        renewPair(pair, compared(pairs[pair], data_.pairs[pair]));
+        renewPair(pair, compared(pairs[pair], data_.pairs[pair]), scale);
     renewContactNodes(numbers, scale);
     if (data_.sharesNodes) {
         shareNodes(data_);
@@ -78,7 +78,9 @@ leftBehind(const Array<double, Executor>& old, const std::vector<Index>& from, s
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const PairRenewal& from)
+void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
+                                                    const PairRenewal& from,
+                                                    const ForceScale& before)
 {
     PairState<Precision, Executor>& old = state_.pairs[number];
     PairState<Precision, Executor> renewed(data_.pairs[number]);
@@ -99,7 +101,14 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const Pa
     carry(old.xi, renewed.xi, touching, oldCount);
     carry(old.eta, renewed.eta, touching, oldCount);
     carry(old.overlap, renewed.overlap, touching, oldCount);
-    carry(old.force, renewed.force, touching, oldCount);
+    if (renewed.force.size() > 0) { // what acts on the nodes until the next step
+        std::vector<std::int64_t> parts(renewed.force.size());
+        const std::array<std::int64_t, 3> sum = old.forceSum();
+        for (std::size_t c = 0; c < 3; ++c)
+            parts[c] = data_.contactScale.force(before.toForce(sum[c]));
+        renewed.force.fromHost(parts);
+    }
+    carry(old.surfaceForce, renewed.surfaceForce, touching, oldCount);
     carry(old.spring, renewed.spring, touching, oldCount);
     carry(old.heldStiffness, renewed.heldStiffness, touching, oldCount);
     carry(old.friction, renewed.friction, touching, oldCount);

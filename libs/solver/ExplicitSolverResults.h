@@ -105,15 +105,16 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
         if (data_.pairs[pass].pair != number) continue;
         const auto& pair = state_.pairs[pass];
-        const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
-        const std::size_t count = spring.size();
+        const std::array<std::int64_t, 3> sum = pair.forceSum();
+        const std::vector<double> onSurface = pair.surfaceForce.toHost();
+        const std::size_t count = onSurface.size() / 3;
         const double sign = data_.pairs[pass].reversed ? -1 : 1;
         for (std::size_t c = 0; c < 3; ++c) {
-            double sum = 0;
-            for (std::size_t i = 0; i < count; ++i) sum += force[c * count + i];
-            out.force[c] += sign * sum;
+            double force = data_.contactScale.toForce(sum[c]);
+            for (std::size_t i = 0; i < count; ++i) force += onSurface[c * count + i];
+            out.force[c] += sign * force;
         }
-        for (const double energy : spring) {
+        for (const double energy : pair.spring.toHost()) {
             out.active += energy > 0;
             out.spring += energy;
         }

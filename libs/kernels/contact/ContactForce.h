@@ -26,6 +26,10 @@ struct ContactForce {
         using T = typename Team::template Number<Work>;
         if (!pair.clock->running) return;
         const Index first = number * block, left = pair.contactorCount - first;
+        const BlockForce total{pair.force + std::size_t(number) * BlockForce::values,
+                               Team::oneThread};
+        team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
+        team.barrier();
         team.template forEachBatch<Work>(left < block ? left : block, [&](Index e) {
             const SteadyContactors<Precision, T> steady(pair, first + e);
             for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
@@ -33,9 +37,9 @@ struct ContactForce {
                 if (i >= pair.contactorCount) continue;
                 const Index face = pair.face[i];
                 if (steady.holds(lane))
-                    press(i, steady.tracked(lane, face));
+                    press(i, steady.tracked(lane, face), total);
                 else if (face >= 0)
-                    press(i, FaceTracker<Precision>{pair, cells}.follow(i));
+                    press(i, FaceTracker<Precision>{pair, cells}.follow(i), total);
                 else if (face == noFace)
                     open(i, Work(1));
             }
@@ -50,7 +54,7 @@ private:
     };
 
     /// Spring, friction and damping against the face found now.
-    FPM_KERNEL void press(Index i, const Tracked<Work>& now) const
+    FPM_KERNEL void press(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {
         const Origin origin{pair.face[i], pair.xi[i], pair.eta[i]};
         const Index face = now.face;
@@ -93,7 +97,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, images, force, rubbing, stiffness);
+        share(i, now, gap < 0, images, force, rubbing, stiffness, total);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -108,7 +112,6 @@ private:
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
     {
         if (!(pair.law.spring[i] > 0)) return;
-        for (int c = 0; c < 3; ++c) pair.force[c * pair.contactorCount + i] = 0;
         pair.law.open(i, stiffness, way);
     }
 
@@ -254,7 +257,8 @@ private:
                           bool images,
                           const Vec3<Work>& force,
                           const Vec3<Work>& rubbing,
-                          Work stiffness) const
+                          Work stiffness,
+                          const BlockForce& total) const
     {
         const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
@@ -271,8 +275,7 @@ private:
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
             sums.addForce(number, own);
-            for (int c = 0; c < 3; ++c)
-                pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
+            total.add(i, own);
         }
         sums.addStiffness(number, double(bound));
     }

@@ -81,7 +81,7 @@ struct PairView {
     Index* face;
     Work *xi, *eta;
     std::uint8_t* around; ///< what the last search found around it, as Around
-    double* force;        ///< on the contactor, this step
+    std::int64_t* force;  ///< on each block of contactors this step, see BlockForce
     std::int64_t* counts; ///< as PairCount
     Work* overlap;        ///< depth at which it was found, that makes no force
     Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
