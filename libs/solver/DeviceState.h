@@ -101,8 +101,8 @@ struct DeviceState {
     Of<PatchHeader> patches;
     Of<MaterialConstants<Work>> materials;
     std::vector<Of<Index>> groupPatches;
-    Of<std::uint16_t> corners, slotCorners;
-    Of<Index> slotNode, slotCornerStart, partialSumsStart, partialSums;
+    Of<std::uint16_t> corners, cornerStarts, slotCorners;
+    Of<Index> boundaryNodes, partialSumsStart, partialSums;
     Of<Work> elementMass, massRatio, state, interiorForce, partialForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
@@ -128,15 +128,15 @@ struct DeviceState {
         : patches(data.patches),
           materials(convertedMaterials<Work>(data.materials)),
           corners(data.corners),
+          cornerStarts(data.cornerStarts),
           slotCorners(data.slotCorners),
-          slotNode(data.slotNode),
-          slotCornerStart(data.slotCornerStart),
+          boundaryNodes(data.boundaryNodes),
           partialSumsStart(data.partialSumsStart),
           partialSums(data.partialSums),
           elementMass(converted<Work>(data.elementMass)),
           massRatio(converted<Work>(data.massRatio)),
           state(data.stateSize),
-          interiorForce(3 * std::size_t(data.nodeCount)),
+          interiorForce(3 * std::size_t(data.interiorEnd)),
           partialForce(4 * std::size_t(data.partialSumCount)),
           plasticStrain(data.strainCount),
           position(planes<Position>(points)),
@@ -194,7 +194,7 @@ struct DeviceState {
     {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
-            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes()
+            + cornerStarts.bytes() + boundaryNodes.bytes() + partialSumsStart.bytes()
             + partialSums.bytes() + elementMass.bytes() + massRatio.bytes() + state.bytes()
             + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
             + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()

@@ -76,12 +76,14 @@ struct SolverData {
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
     std::vector<MaterialConstants<double>> materials;
-    std::vector<StateLayout> layouts;           ///< of each part
-    std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
-    std::vector<std::uint16_t> corners;         ///< tiles of 8
-    std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
-    std::vector<Index> slotNode, slotCornerStart;
-    std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
+    std::vector<StateLayout> layouts;                              ///< of each part
+    std::size_t stateSize = 0, strainCount = 0;                    ///< of all patches together
+    std::vector<std::uint16_t> corners, cornerStarts, slotCorners; ///< see PatchTables, ElementPass
+    std::vector<Index> boundaryNodes;                              ///< node of each partial sum
+    Index firstBoundaryNode = 0;                      ///< nodes before it are interior to a patch,
+    Index interiorEnd = 0;                            ///< from here on none is
+    std::vector<Index> partialSumsStart, partialSums; ///< of nodes from firstBoundaryNode on: CSR;
+                                                      ///< none: interior
     std::vector<double> elementMass;                  ///< tiles of 1
     std::vector<double> massRatio;   ///< of it to the mass that is heated; empty: 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling

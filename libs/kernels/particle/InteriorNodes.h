@@ -26,7 +26,8 @@ struct InteriorNodes {
     const Motion* inverseMass;
     const std::uint8_t* fixed; ///< nodes with any bit stay as they are
     std::size_t nodeStride;
-    Work* force; ///< internal, planes like the others; only of nodes of one patch
+    Work* force; ///< internal, in planes of their own: only of nodes of one patch
+    std::size_t forceStride;
 
     /// Nodes first ... first + count - 1.
     template <class Team>
@@ -39,7 +40,7 @@ struct InteriorNodes {
         for (int c = 0; c < 3; ++c) {
             Position* x = position + c * nodeStride + first;
             Motion* v = velocity + c * nodeStride + first;
-            const Work* f = force + c * nodeStride + first;
+            const Work* f = force + c * forceStride + first;
             team.forEach(count, [=](Index i) {
                 const bool moves = others[i] == 0;
                 const Motion next =
