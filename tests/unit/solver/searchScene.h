@@ -87,6 +87,15 @@ public:
         return best;
     }
 
+    std::vector<Index> around(Index face, int corner)
+    {
+        std::vector<Index> out;
+        view().visitAround(face, corner, [&](Index other) {
+            out.push_back(other);
+            return true;
+        });
+        return out;
+    }
     Index faceOf(Index query) const { return state_->face.data()[query]; }
     double squareTo(Index query, Index face)
     {
