@@ -26,16 +26,17 @@ const std::vector<ElementSide>& ownSides(const Model& model, const ContactPair& 
 
 void addOwnFaces(PairData& out, const Model& model, const std::vector<ElementSide>& sides)
 {
-    std::map<Index, std::vector<Quad>> around;
+    std::map<Index, std::vector<Index>> around;
     for (const ElementSide& side : sides) {
         const Quad quad = model.mesh.sideNodes(side);
-        for (const Index node : quad) around[node].push_back(quad);
+        for (const Index node : quad) around[node].push_back(Index(out.ownFaceNode.size() / 4));
+        out.ownFaceNode.insert(out.ownFaceNode.end(), quad.begin(), quad.end());
     }
     out.ownFaceStart.push_back(0);
     for (const Index node : out.contactor) {
-        for (const Quad& quad : around[node])
-            out.ownFaceNode.insert(out.ownFaceNode.end(), quad.begin(), quad.end());
-        out.ownFaceStart.push_back(Index(out.ownFaceNode.size() / 4));
+        const std::vector<Index>& faces = around[node];
+        out.ownFaces.insert(out.ownFaces.end(), faces.begin(), faces.end());
+        out.ownFaceStart.push_back(Index(out.ownFaces.size()));
     }
 }
 
@@ -91,10 +92,13 @@ void addExclusions(PairData& out, const Model& model, const std::vector<ElementS
     out.excludedStart.push_back(0);
     for (std::size_t i = 0; i < std::size_t(out.nodeCount); ++i) {
         std::set<Index> excluded;
-        for (Index k = 4 * out.ownFaceStart[i]; k < 4 * out.ownFaceStart[i + 1]; ++k)
-            for (const Index element : elements[std::size_t(out.ownFaceNode[std::size_t(k)])])
-                excluded.insert(faces[std::size_t(element)].begin(),
-                                faces[std::size_t(element)].end());
+        for (Index k = out.ownFaceStart[i]; k < out.ownFaceStart[i + 1]; ++k)
+            for (std::size_t corner = 0; corner < 4; ++corner) {
+                const std::size_t own = 4 * std::size_t(out.ownFaces[std::size_t(k)]) + corner;
+                for (const Index element : elements[std::size_t(out.ownFaceNode[own])])
+                    excluded.insert(faces[std::size_t(element)].begin(),
+                                    faces[std::size_t(element)].end());
+            }
         out.excluded.insert(out.excluded.end(), excluded.begin(), excluded.end());
         out.excludedStart.push_back(Index(out.excluded.size()));
     }
@@ -125,10 +129,6 @@ void continueAtMirrors(PairData& pair, const Model& model)
         pair.mirrorNormal.insert(pair.mirrorNormal.end(), normal.begin(), normal.end());
         std::vector<bool> onPlane(model.mesh.points.size());
         for (const Index node : condition.nodes) onPlane[std::size_t(node)] = true;
-        pair.mirrors.resize(std::size_t(pair.nodeCount));
-        for (std::size_t i = 0; i < pair.mirrors.size() && plane < 8; ++i)
-            if (onPlane[std::size_t(pair.contactor[i])])
-                pair.mirrors[i] = std::uint8_t(pair.mirrors[i] | 1 << plane);
         for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
             const std::size_t first = edge / 4 * 4;
             const auto lies = [&](std::size_t corner) {
@@ -155,7 +155,7 @@ PairData makePass(const SolverData& data,
     out.projection = pair.projection;
     out.law = pair;
     if (own.empty() || target.empty()) { // deletion has left nothing to touch
-        out.ownFaceStart = out.targetFaceStart = {0};
+        out.ownFaceStart = {0};
         out.cellSize = 1;
         out.reach = 1e30;
         return out;
@@ -243,13 +243,6 @@ void addContact(SolverData& data, const Model& model)
     for (std::size_t i = 0; i < data.contactNodes.size(); ++i) {
         const std::size_t node = std::size_t(data.contactNodes[i]);
         data.contactNumber[node] = Index(i);
-        data.contactInverseMass.push_back(movesFreely(data, node) ? 1 / data.nodeMass[node] : 0);
-    }
-    for (PairData& pair : data.pairs) {
-        for (const Index node : pair.contactor)
-            pair.contactorNumber.push_back(data.contactNumber[std::size_t(node)]);
-        for (const Index node : pair.faceNode)
-            pair.faceNumber.push_back(data.contactNumber[std::size_t(node)]);
     }
     // Were every contactor on one node, with the largest force, the sum would stay below 2^62.
     const double room = std::exp2(61 - std::ceil(std::log2(double(contactors + 1))));

@@ -5,6 +5,8 @@
 #include "parallel/Array.h"
 #include "solver/PenaltyData.h"
 
+#include <array>
+
 namespace fpm {
 
 /// Copies values into another number type. Static, as all helpers here: a copy of its own for each
@@ -35,37 +37,38 @@ struct PairState {
     template <class T>
     using Of = Array<T, Executor>;
 
-    Of<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode, faceNode, faceNumber,
-        faceTarget, neighbour;
-    Of<Index> target, targetFaceStart, targetFaces, excludedStart, excluded, faceComponent,
-        contactorComponent, face, head, next;
+    Of<Index> contactor, ownFaceStart, ownFaces, ownFaceNode, faceNode, nextAround, neighbour;
+    Of<Index> targetCorner, excludedStart, excluded, faceComponent, contactorComponent, face, head;
+    Of<CellEntry> entries;
     Of<Index> frictionFace, searchBlocks;
     Of<std::uint8_t> mayMeet, around, shared, mirrors;
-    Of<Work> mirrorNormal, faceStiffness, faceThickness, ownNormal, xi, eta, friction, overlap;
-    Of<Work> contactorStiffness, contactorShare, contactorMass, faceMass, heldStiffness;
-    Of<double> force, spring, dissipated, dampingForce, damped, surfaceWork, injected;
+    Of<float> ownNormal;
+    Of<Work> mirrorNormal, faceStiffness, faceThickness, xi, eta, friction, overlap;
+    Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
+    Of<std::int64_t> force;  ///< of faces, see BlockForce
+    Of<double> surfaceForce; ///< of an analytic surface on each contactor
+    Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
 
     static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
+    static bool rubs(const PairData& pair) { return pair.law.friction > 0; }
     /// The stored tangential force is kept in the frame of a face.
     static bool convectedFriction(const PairData& pair)
     {
-        return pair.law.friction > 0 && !pair.law.paperFriction && pair.surface < 0;
+        return rubs(pair) && !pair.law.paperFriction && pair.surface < 0;
     }
 
     explicit PairState(const PairData& pair)
         : contactor(pair.contactor),
-          contactorNumber(pair.contactorNumber),
           ownFaceStart(pair.ownFaceStart),
+          ownFaces(pair.ownFaces),
           ownFaceNode(pair.ownFaceNode),
           faceNode(pair.faceNode),
-          faceNumber(pair.faceNumber),
-          faceTarget(pair.faceTarget),
+          nextAround(pair.nextAround),
           neighbour(pair.neighbour),
-          target(pair.target),
-          targetFaceStart(pair.targetFaceStart),
-          targetFaces(pair.targetFaces),
+          targetCorner(pair.search == ContactSearch::closestParticle ? pair.targetCorner
+                                                                     : std::vector<Index>{}),
           excludedStart(pair.excludedStart),
           excluded(pair.excluded),
           faceComponent(pair.faceComponent),
@@ -76,24 +79,26 @@ struct PairState {
           searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
-          mirrors(convectedFriction(pair) ? pair.mirrors : std::vector<std::uint8_t>{}),
+          mirrors(pair.mirrors),
+          ownNormal(3 * std::size_t(pair.nodeCount)),
           mirrorNormal(converted<Work>(pair.mirrorNormal)),
           faceStiffness(converted<Work>(pair.faceStiffness)),
           faceThickness(converted<Work>(pair.faceThickness)),
-          ownNormal(3 * std::size_t(pair.nodeCount)),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
-          friction(pair.law.friction > 0 ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
-                                         : 0),
+          friction(rubs(pair) ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size() : 0),
           overlap(pair.contactor.size()),
           contactorStiffness(converted<Work>(pair.contactorStiffness)),
-          contactorShare(converted<Work>(pair.contactorShare)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
           faceMass(damps(pair) ? converted<Work>(pair.faceMass) : std::vector<Work>{}),
           heldStiffness(pair.unequalFaces ? pair.contactor.size() : 0),
-          force(3 * pair.contactor.size()),
+          force(pair.surface < 0
+                    ? BlockForce::values
+                          * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))
+                    : 0),
+          surfaceForce(pair.surface >= 0 ? 3 * pair.contactor.size() : 0),
           spring(pair.contactor.size()),
-          dissipated(pair.contactor.size()),
+          dissipated(rubs(pair) ? pair.contactor.size() : 0),
           dampingForce(damps(pair) ? pair.contactor.size() : 0),
           damped(damps(pair) ? pair.contactor.size() : 0),
           surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
@@ -101,14 +106,13 @@ struct PairState {
           counts(pairCounts)
     {
         const bool faces = pair.search == ContactSearch::faces;
-        const std::size_t entries = faces ? 8 * pair.faceThickness.size() : pair.target.size();
-        // A face seldom fills all of its eight cells.
-        const std::size_t heads = faces ? entries : 2 * entries;
+        entries = Of<CellEntry>(faces ? pair.faceThickness.size() : pair.target.size());
+        // The middles of several faces lie in one cell; of target nodes it may be one.
+        const std::size_t lists = (faces ? 1 : 2) * entries.size();
         std::uint32_t size = 16;
-        while (size < heads) size *= 2;
+        while (size < lists) size *= 2;
         mask = size - 1;
-        head = Of<Index>(size);
-        next = Of<Index>(entries);
+        head = Of<Index>(std::size_t(size) + std::size_t(pair.levels) + 1);
     }
 
     /// What the kernels see of the pair, but for the state of the particles.
@@ -117,23 +121,20 @@ struct PairState {
         PairView<Precision> v{};
         v.contactorCount = Index(contactor.size());
         v.faceCount = Index(faceThickness.size());
-        v.targetCount = Index(target.size());
+        v.targetCount = Index(targetCorner.size());
         v.nodeCount = pair.nodeCount;
         v.contactor = contactor.data();
-        v.contactorNumber = contactorNumber.data();
         v.ownFaceStart = ownFaceStart.data();
+        v.ownFaces = ownFaces.data();
         v.ownFaceNode = ownFaceNode.data();
         v.faceNode = faceNode.data();
-        v.faceNumber = faceNumber.data();
-        v.faceTarget = faceTarget.data();
+        v.nextAround = nextAround.data();
         v.neighbour = neighbour.data();
         v.mirrorNormal = mirrorNormal.data();
         v.mirrors = mirrors.data();
         v.faceStiffness = faceStiffness.data();
         v.faceThickness = faceThickness.data();
-        v.target = target.data();
-        v.targetFaceStart = targetFaceStart.data();
-        v.targetFaces = targetFaces.data();
+        v.targetCorner = targetCorner.data();
         v.excludedStart = excludedStart.data();
         v.excluded = excluded.data();
         v.faceComponent = faceComponent.data();
@@ -168,7 +169,8 @@ struct PairState {
                           : l.penalty == PenaltyRule::target ? PenaltySource::target
                                                              : PenaltySource::lesser,
                 .contactorStiffness = contactorStiffness.data(),
-                .contactorShare = contactorShare.data(),
+                // Mass is halved there by itself.
+                .mirrors = l.penalty == PenaltyRule::mass ? nullptr : mirrors.data(),
                 .friction = {.staticCoefficient = Work(slow),
                              .dynamicCoefficient = Work(fast < 0 ? slow : fast),
                              .decay = l.frictionDecay,
@@ -185,28 +187,38 @@ struct PairState {
                 .limitFactor = Work(dampingLimit(l))};
     }
 
+    /// Of the faces on all contactors, fixed point.
+    std::array<std::int64_t, 3> forceSum() const
+    {
+        std::array<std::int64_t, 3> sum{};
+        const std::vector<std::int64_t> parts = force.toHost();
+        for (std::size_t k = 0; k < parts.size(); ++k) sum[k % 3] += parts[k];
+        return sum;
+    }
+
     CellLists cells(const PairData& pair)
     {
-        return {head.data(), next.data(), mask, pair.cellSize, pair.levels};
+        return {head.data(), entries.data(), mask, pair.cellSize, pair.levels};
     }
 
     std::size_t bytes() const
     {
         std::size_t sum = 0;
         for (const Of<Index>* array :
-             {&contactor, &contactorNumber, &ownFaceStart, &ownFaceNode, &faceNode, &faceNumber,
-              &faceTarget, &neighbour, &target, &targetFaceStart, &targetFaces, &excludedStart,
-              &excluded, &faceComponent, &contactorComponent, &face, &head, &next, &frictionFace})
+             {&contactor, &ownFaceStart, &ownFaces, &ownFaceNode, &faceNode, &nextAround,
+              &neighbour, &targetCorner, &excludedStart, &excluded, &faceComponent,
+              &contactorComponent, &face, &head, &frictionFace, &searchBlocks})
             sum += array->bytes();
-        for (const Of<Work>* array : {&mirrorNormal, &faceStiffness, &faceThickness, &ownNormal,
-                                      &xi, &eta, &friction, &overlap, &contactorStiffness,
-                                      &contactorShare, &contactorMass, &faceMass, &heldStiffness})
+        for (const Of<Work>* array :
+             {&mirrorNormal, &faceStiffness, &faceThickness, &xi, &eta, &friction, &overlap,
+              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
-             {&force, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
+             {&surfaceForce, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
-        return sum + searchBlocks.bytes() + mayMeet.bytes() + around.bytes() + shared.bytes()
-               + mirrors.bytes() + counts.bytes();
+        for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
+            sum += array->bytes();
+        return sum + force.bytes() + entries.bytes() + ownNormal.bytes() + counts.bytes();
     }
 };
 
@@ -220,7 +232,7 @@ void searchPass(Executor& executor,
                 const NodeBlocks& blocks)
 {
     const Index count = blocks.nodes(view.nodeCount);
-    executor.parallelFor(Index(cells.mask) + 1, Fill<Index>{cells.head, Index(-1)});
+    executor.parallelFor(Index(cells.mask) + cells.levels + 2, Fill<Index>{cells.head, Index(-1)});
     executor.parallelFor(count, InBlocks{blocks, view.nodeCount, ContactorNormal<Precision>{view}});
     if (faces) {
         executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});

@@ -1,4 +1,4 @@
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/CellLists.h"
 #include "mesh/Vector.h"
 #include "solver/SolverData.h"
 
@@ -36,21 +36,24 @@ void addNeighbours(PairData& out, const std::vector<Point>& points)
     }
 }
 
+/// Target nodes, and the rings of face corners around them.
 void addTargetNodes(PairData& out)
 {
     out.target = out.faceNode;
     std::sort(out.target.begin(), out.target.end());
     out.target.erase(std::unique(out.target.begin(), out.target.end()), out.target.end());
-    std::vector<std::vector<Index>> faces(out.target.size());
+    std::vector<Index> last(out.target.size(), -1);
+    out.targetCorner.resize(out.target.size());
+    out.nextAround.resize(out.faceNode.size());
     for (std::size_t i = 0; i < out.faceNode.size(); ++i) {
         const auto at = std::lower_bound(out.target.begin(), out.target.end(), out.faceNode[i]);
-        out.faceTarget.push_back(Index(at - out.target.begin()));
-        faces[std::size_t(out.faceTarget.back())].push_back(Index(i / 4));
-    }
-    out.targetFaceStart.push_back(0);
-    for (const std::vector<Index>& around : faces) {
-        out.targetFaces.insert(out.targetFaces.end(), around.begin(), around.end());
-        out.targetFaceStart.push_back(Index(out.targetFaces.size()));
+        const std::size_t node = std::size_t(at - out.target.begin());
+        if (last[node] < 0)
+            out.targetCorner[node] = Index(i);
+        else
+            out.nextAround[std::size_t(last[node])] = Index(i);
+        out.nextAround[i] = out.targetCorner[node];
+        last[node] = Index(i);
     }
 }
 
@@ -85,8 +88,9 @@ void addTopology(PairData& pair, const std::vector<Point>& points)
         pair.cellSize = std::max(pair.meanFaceSize, longest / std::sqrt(3.0) + pair.reach);
         return;
     }
-    pair.cellSize = narrowest;
-    pair.levels = 1 + Index(std::ceil(std::log2(widest / narrowest)));
+    pair.cellSize = 0.5 * narrowest;
+    pair.levels =
+        std::min(CellLists::mostLevels, 1 + Index(std::ceil(std::log2(widest / narrowest))));
 }
 
 } // namespace fpm

@@ -101,8 +101,8 @@ struct DeviceState {
     Of<PatchHeader> patches;
     Of<MaterialConstants<Work>> materials;
     std::vector<Of<Index>> groupPatches;
-    Of<std::uint16_t> corners, slotCorners;
-    Of<Index> slotNode, slotCornerStart, partialSumsStart, partialSums;
+    Of<std::uint16_t> corners, cornerStarts, slotCorners;
+    Of<Index> boundaryNodes, partialSumsStart, partialSums;
     Of<Work> elementMass, massRatio, state, interiorForce, partialForce;
     Of<Sum> plasticStrain;
     Of<Position> position;
@@ -118,9 +118,9 @@ struct DeviceState {
     Of<double> amplitudeRows, patchEnergy, patchStep, blockWork, blockEnergy, relaxationSum;
 
     Of<Index> contactNodes, contactNumber;
-    Of<Motion> contactInverseMass;
     Of<std::int64_t> contactSum;
-    Of<double> contactLimit, contactTravel, searchPosition;
+    Of<double> contactLimit, contactTravel, searchOrigin;
+    Of<float> searchOffset;
     std::vector<PairState<Precision, Executor>> pairs;
     Of<StepClock> clock;
 
@@ -128,15 +128,15 @@ struct DeviceState {
         : patches(data.patches),
           materials(convertedMaterials<Work>(data.materials)),
           corners(data.corners),
+          cornerStarts(data.cornerStarts),
           slotCorners(data.slotCorners),
-          slotNode(data.slotNode),
-          slotCornerStart(data.slotCornerStart),
+          boundaryNodes(data.boundaryNodes),
           partialSumsStart(data.partialSumsStart),
           partialSums(data.partialSums),
           elementMass(converted<Work>(data.elementMass)),
           massRatio(converted<Work>(data.massRatio)),
           state(data.stateSize),
-          interiorForce(3 * std::size_t(data.nodeCount)),
+          interiorForce(3 * std::size_t(data.interiorEnd)),
           partialForce(4 * std::size_t(data.partialSumCount)),
           plasticStrain(data.strainCount),
           position(planes<Position>(points)),
@@ -165,11 +165,11 @@ struct DeviceState {
                                                       : 0),
           contactNodes(data.contactNodes),
           contactNumber(data.contactNumber),
-          contactInverseMass(converted<Motion>(data.contactInverseMass)),
           contactSum(4 * data.contactNodes.size()),
           contactLimit(blocks(Index(data.contactNodes.size())) + data.body.bodies.size()),
           contactTravel(2 * blocks(Index(data.contactNodes.size()))),
-          searchPosition(3 * data.contactNodes.size()),
+          searchOrigin(3 * blocks(Index(data.contactNodes.size()))),
+          searchOffset(3 * data.contactNodes.size()),
           clock(std::vector<StepClock>(1))
     {
         for (const KernelGroup& group : data.groups) groupPatches.emplace_back(group.patches);
@@ -194,18 +194,18 @@ struct DeviceState {
     {
         std::size_t sum =
             patches.bytes() + materials.bytes() + corners.bytes() + slotCorners.bytes()
-            + slotNode.bytes() + slotCornerStart.bytes() + partialSumsStart.bytes()
+            + cornerStarts.bytes() + boundaryNodes.bytes() + partialSumsStart.bytes()
             + partialSums.bytes() + elementMass.bytes() + massRatio.bytes() + state.bytes()
             + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
             + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
             + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
-            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes()
-            + searchPosition.bytes() + contactNodes.bytes() + contactLimit.bytes()
-            + contactTravel.bytes() + contactInverseMass.bytes() + blockEnergy.bytes()
-            + uses.bytes() + frameOf.bytes() + frames.bytes() + pressureFaceNode.bytes()
-            + pressureFaceCondition.bytes() + pressureStart.bytes() + pressureSlots.bytes()
-            + pressureForce.bytes() + body.bytes() + conditions.bytes() + amplitudeRows.bytes()
-            + lastForce.bytes() + relaxationSum.bytes();
+            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes() + searchOrigin.bytes()
+            + searchOffset.bytes() + contactNodes.bytes() + contactLimit.bytes()
+            + contactTravel.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
+            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
+            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
+            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
+            + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         return sum;

@@ -110,7 +110,6 @@ bool Erosion::renewContact(SolverData& data, const std::vector<bool>& deleted)
     if (!changed) return false;
     data.pairs.clear();
     data.contactNodes.clear();
-    data.contactInverseMass.clear();
     addContact(data, model_);
     return true;
 }

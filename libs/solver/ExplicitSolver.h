@@ -63,6 +63,7 @@ private:
     void searchContact();
     void searchOne(const SearchSchedule::Due& due);
     void shareContactNodes(std::size_t pass);
+    SearchSchedule::Positions contactPositions() const;
     void rememberPositions(const std::vector<SearchSchedule::Due>& searched);
     void measureOverlaps();
     std::int64_t searchFor(const StepClock& now, std::int64_t steps);
@@ -71,7 +72,7 @@ private:
     void followDeletions();
     void endPressures(const std::vector<bool>& deleted);
     void renewContact(const std::vector<bool>& deleted);
-    void renewPair(std::size_t pair, const PairRenewal& from);
+    void renewPair(std::size_t pair, const PairRenewal& from, const ForceScale& before);
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
     NodePass<Precision> nodePass() const;
     ContactSums contactSums();
@@ -253,12 +254,13 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .list = state_.groupPatches[group].data(),
         .patches = state_.patches.data(),
         .materials = state_.materials.data(),
-        .slotNode = state_.slotNode.data(),
+        .boundaryNodes = state_.boundaryNodes.data(),
         .corners = state_.corners.data(),
-        .slotCornerStart = state_.slotCornerStart.data(),
+        .cornerStarts = state_.cornerStarts.data(),
         .slotCorners = state_.slotCorners.data(),
         .nodes = {state_.position.data(), state_.velocity.data(), state_.inverseMass.data(),
-                  state_.fixed.data(), std::size_t(data_.nodeCount), state_.interiorForce.data()},
+                  state_.fixed.data(), std::size_t(data_.nodeCount), state_.interiorForce.data(),
+                  std::size_t(data_.interiorEnd)},
         .mass = state_.elementMass.data(),
         .massRatio = state_.massRatio.data(),
         .state = state_.state.data(),
@@ -284,6 +286,8 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
             .inverseMass = s.inverseMass.data(),
             .nodeStride = std::size_t(data_.nodeCount),
             .interiorForce = s.interiorForce.data(),
+            .interiorEnd = std::size_t(data_.interiorEnd),
+            .firstBoundaryNode = std::size_t(data_.firstBoundaryNode),
             .partialSumsStart = s.partialSumsStart.data(),
             .partialSums = s.partialSums.data(),
             .partialForce = s.partialForce.data(),

@@ -17,6 +17,7 @@ PairView<Precision> ExplicitSolver<Precision, Executor>::pairView(std::size_t nu
     view.position = state_.position.data();
     view.velocity = state_.velocity.data();
     view.nodeStride = std::size_t(data_.nodeCount);
+    view.contactNumber = state_.contactNumber.data();
     view.sums = contactSums();
     view.sums.shared = state_.pairs[number].shared.data();
     view.clock = state_.clock.data();
@@ -32,8 +33,8 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
     sums.alone = executor_.threads() > 0; // each contactor pushes its own node only
     return {.contactorCount = Index(s.contactor.size()),
             .contactor = s.contactor.data(),
-            .contactorNumber = s.contactorNumber.data(),
-            .force = s.force.data(),
+            .contactNumber = state_.contactNumber.data(),
+            .force = s.surfaceForce.data(),
             .work = s.surfaceWork.data(),
             .position = state_.position.data(),
             .velocity = state_.velocity.data(),
@@ -63,9 +64,10 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
                 Force{pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
     }
     using Limit = ContactLimit<typename Precision::Motion>;
-    const Limit limit{Index(state_.contactNodes.size()), state_.contactSum.data(),
-                      state_.contactInverseMass.data(),  data_.contactScale,
-                      state_.contactLimit.data(),        state_.clock.data()};
+    const Limit limit{
+        Index(state_.contactNodes.size()), state_.contactSum.data(), state_.contactNodes.data(),
+        state_.inverseMass.data(),         state_.fixed.data(),      data_.contactScale,
+        state_.contactLimit.data(),        state_.clock.data()};
     executor_.parallelBlocks(contactBlocks(), Limit::scratch(), limit);
 }
 
@@ -96,8 +98,8 @@ std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now
         contactBlocks(),
         ContactTravel<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
                                  state_.position.data(), state_.velocity.data(),
-                                 std::size_t(data_.nodeCount), state_.searchPosition.data(),
-                                 state_.contactTravel.data()});
+                                 std::size_t(data_.nodeCount), state_.searchOrigin.data(),
+                                 state_.searchOffset.data(), state_.contactTravel.data()});
     executor_.synchronize();
     const SearchSchedule::Plan plan =
         schedule_.plan(state_.contactTravel.toHost(), rules_.growth * now.step, steps);
@@ -135,20 +137,35 @@ void ExplicitSolver<Precision, Executor>::searchContact()
     rememberPositions(all);
 }
 
+/// Of the contact nodes, in three planes.
+template <class Precision, class Executor>
+SearchSchedule::Positions ExplicitSolver<Precision, Executor>::contactPositions() const
+{
+    const auto all = state_.position.toHost();
+    const std::size_t nodes = std::size_t(data_.nodeCount);
+    SearchSchedule::Positions out;
+    out.reserve(3 * data_.contactNodes.size());
+    for (std::size_t c = 0; c < 3; ++c)
+        for (const Index node : data_.contactNodes)
+            out.push_back(double(all[c * nodes + std::size_t(node)]));
+    return out;
+}
+
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::rememberPositions(
     const std::vector<SearchSchedule::Due>& searched)
 {
+    if (searchInterval_ > 0 || searchesEveryStep_) return; // nobody asks for ways
     const Index count = Index(state_.contactNodes.size());
     executor_.parallelFor(count, RememberPositions<Precision>{
                                      count, state_.contactNodes.data(), state_.position.data(),
-                                     std::size_t(data_.nodeCount), state_.searchPosition.data()});
-    if (searchInterval_ > 0 || searchesEveryStep_) return;
+                                     std::size_t(data_.nodeCount), state_.searchOrigin.data(),
+                                     state_.searchOffset.data()});
     executor_.synchronize();
     std::vector<double> positions; // fetched where a pass was searched as a whole, which is rare
     for (const SearchSchedule::Due& due : searched) {
         if (!due.blocks.empty()) continue;
-        if (positions.empty()) positions = state_.searchPosition.toHost();
+        if (positions.empty()) positions = contactPositions();
         schedule_.arrange(due.pass, positions);
         shareContactNodes(due.pass);
     }

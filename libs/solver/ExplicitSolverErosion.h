@@ -35,7 +35,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
     const ForceScale scale = data_.contactScale;
     if (!erosion_->renewContact(data_, deleted)) return;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
-        renewPair(pair, compared(pairs[pair], data_.pairs[pair]));
+        renewPair(pair, compared(pairs[pair], data_.pairs[pair]), scale);
     renewContactNodes(numbers, scale);
     if (data_.sharesNodes) {
         shareNodes(data_);
@@ -78,7 +78,9 @@ leftBehind(const Array<double, Executor>& old, const std::vector<Index>& from, s
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const PairRenewal& from)
+void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
+                                                    const PairRenewal& from,
+                                                    const ForceScale& before)
 {
     PairState<Precision, Executor>& old = state_.pairs[number];
     PairState<Precision, Executor> renewed(data_.pairs[number]);
@@ -99,7 +101,14 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number, const Pa
     carry(old.xi, renewed.xi, touching, oldCount);
     carry(old.eta, renewed.eta, touching, oldCount);
     carry(old.overlap, renewed.overlap, touching, oldCount);
-    carry(old.force, renewed.force, touching, oldCount);
+    if (renewed.force.size() > 0) { // what acts on the nodes until the next step
+        std::vector<std::int64_t> parts(renewed.force.size());
+        const std::array<std::int64_t, 3> sum = old.forceSum();
+        for (std::size_t c = 0; c < 3; ++c)
+            parts[c] = data_.contactScale.force(before.toForce(sum[c]));
+        renewed.force.fromHost(parts);
+    }
+    carry(old.surfaceForce, renewed.surfaceForce, touching, oldCount);
     carry(old.spring, renewed.spring, touching, oldCount);
     carry(old.heldStiffness, renewed.heldStiffness, touching, oldCount);
     carry(old.friction, renewed.friction, touching, oldCount);
@@ -132,31 +141,32 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
     using Motion = typename Precision::Motion;
     const std::size_t count = data_.contactNodes.size();
     const std::vector<std::int64_t> old = state_.contactSum.toHost();
-    const std::vector<Motion> inverseMass = converted<Motion>(data_.contactInverseMass);
     std::vector<std::int64_t> sum(4 * count);
     std::vector<double> limit(state_.blocks(Index(count)));
     const std::vector<double> limits = state_.contactLimit.toHost();
     const std::vector<double> ofBodies(limits.begin() + contactBlocks(), limits.end());
     const ForceScale& scale = data_.contactScale;
     for (std::size_t i = 0; i < count; ++i) {
-        const Index number = numbers[std::size_t(data_.contactNodes[i])];
+        const std::size_t node = std::size_t(data_.contactNodes[i]);
+        const Index number = numbers[node];
         if (number < 0) continue;
         const std::int64_t* from = &old[4 * std::size_t(number)];
         for (std::size_t c = 0; c < 3; ++c) sum[4 * i + c] = scale.force(before.toForce(from[c]));
         const double stiffness = before.toStiffness(from[3]);
         sum[4 * i + 3] = scale.spring(stiffness);
         double& most = limit[i / ContactLimit<Motion>::block];
-        most = std::max(most, stiffness * double(inverseMass[i]));
+        if (!(data_.fixed[node] & imposedNode))
+            most = std::max(most, stiffness * double(Motion(1 / data_.nodeMass[node])));
     }
     using Numbers = Array<Index, Executor>;
     state_.contactNodes = Numbers(data_.contactNodes);
     state_.contactNumber = Numbers(data_.contactNumber);
-    state_.contactInverseMass = Array<Motion, Executor>(inverseMass);
     state_.contactSum = Array<std::int64_t, Executor>(sum);
     state_.contactTravel = Array<double, Executor>(2 * limit.size());
     limit.insert(limit.end(), ofBodies.begin(), ofBodies.end());
     state_.contactLimit = Array<double, Executor>(limit);
-    state_.searchPosition = Array<double, Executor>(3 * count);
+    state_.searchOrigin = Array<double, Executor>(3 * state_.blocks(Index(count)));
+    state_.searchOffset = Array<float, Executor>(3 * count);
 }
 
 } // namespace fpm

@@ -105,15 +105,16 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
         if (data_.pairs[pass].pair != number) continue;
         const auto& pair = state_.pairs[pass];
-        const std::vector<double> force = pair.force.toHost(), spring = pair.spring.toHost();
-        const std::size_t count = spring.size();
+        const std::array<std::int64_t, 3> sum = pair.forceSum();
+        const std::vector<double> onSurface = pair.surfaceForce.toHost();
+        const std::size_t count = onSurface.size() / 3;
         const double sign = data_.pairs[pass].reversed ? -1 : 1;
         for (std::size_t c = 0; c < 3; ++c) {
-            double sum = 0;
-            for (std::size_t i = 0; i < count; ++i) sum += force[c * count + i];
-            out.force[c] += sign * sum;
+            double force = data_.contactScale.toForce(sum[c]);
+            for (std::size_t i = 0; i < count; ++i) force += onSurface[c * count + i];
+            out.force[c] += sign * force;
         }
-        for (const double energy : spring) {
+        for (const double energy : pair.spring.toHost()) {
             out.active += energy > 0;
             out.spring += energy;
         }
@@ -137,8 +138,10 @@ ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
     const std::vector<std::int64_t> sum = state_.contactSum.toHost();
     double most = 0;
     for (std::size_t i = 0; i < data_.contactNodes.size(); ++i) {
+        const std::size_t node = std::size_t(data_.contactNodes[i]);
+        if (data_.fixed[node] & imposedNode) continue;
         const double square =
-            data_.contactScale.toStiffness(sum[4 * i + 3]) * data_.contactInverseMass[i];
+            data_.contactScale.toStiffness(sum[4 * i + 3]) * (1 / data_.nodeMass[node]);
         if (!(square > most)) continue;
         most = square;
         out = {data_.contactNodes[i], -1, std::sqrt(square)};

@@ -179,6 +179,18 @@ void addImposed(SolverData& data, const Model& model, const std::vector<Index>& 
     }
 }
 
+void markImposed(SolverData& data)
+{
+    for (std::size_t node = 0; node < data.fixed.size(); ++node) {
+        int imposed = data.fixed[node];
+        if (!data.conditionStart.empty())
+            for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k)
+                if (const int axis = data.uses[std::size_t(k)].axis; axis >= 0)
+                    imposed |= 1 << axis;
+        if ((imposed & 7) == 7) data.fixed[node] |= imposedNode;
+    }
+}
+
 void addInitialVelocities(SolverData& data, const Model& model)
 {
     data.velocity.assign(std::size_t(data.nodeCount), Point{0, 0, 0});
@@ -252,6 +264,7 @@ void addMotion(SolverData& data, const Model& model)
         slots.push_back({data.pressureFaceNode[slot], Index(slot)});
     toRows(std::move(slots), data.nodeCount, data.pressureStart, data.pressureSlots);
     addBodies(data, model, numbers);
+    markImposed(data);
 }
 
 } // namespace fpm

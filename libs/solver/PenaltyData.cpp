@@ -25,7 +25,7 @@ double penalty(const Model& model, const ElementSide& side)
 /// 0: nothing can move the node.
 double massOf(const SolverData& data, Index node)
 {
-    return movesFreely(data, std::size_t(node)) ? data.nodeMass[std::size_t(node)] : 0;
+    return (data.fixed[std::size_t(node)] & imposedNode) ? 0 : data.nodeMass[std::size_t(node)];
 }
 
 /// Mass of the lightest corner of a face that can be moved; 0: none can.
@@ -60,31 +60,25 @@ std::vector<double> ownStiffness(const Model& model,
 
 /// A contactor on a mirror plane is half a node, one on two of them a quarter: it gets as much of
 /// the stiffness, so that half a model meets as the whole one does.
-std::vector<double> mirrorShares(const Model& model, const std::vector<Index>& contactors)
+std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>& contactors)
 {
-    std::vector<double> share(model.mesh.points.size(), 1);
-    bool any = false;
-    for (const BoundaryCondition& condition : model.boundaryConditions)
-        if (condition.mirror)
-            for (const Index node : condition.nodes) share[std::size_t(node)] *= 0.5;
-    std::vector<double> out;
-    for (const Index node : contactors) {
-        out.push_back(share[std::size_t(node)]);
-        any |= out.back() < 1;
+    std::vector<std::uint8_t> planes(model.mesh.points.size(), 0), out;
+    unsigned bit = 1; // of more planes than there are bits the others are none
+    for (const BoundaryCondition& condition : model.boundaryConditions) {
+        if (!condition.mirror) continue;
+        for (const Index node : condition.nodes)
+            planes[std::size_t(node)] = std::uint8_t(planes[std::size_t(node)] | bit);
+        bit <<= 1;
     }
-    return any ? out : std::vector<double>{};
+    bool any = false;
+    for (const Index node : contactors) {
+        out.push_back(planes[std::size_t(node)]);
+        any |= out.back() > 0;
+    }
+    return any ? out : std::vector<std::uint8_t>{};
 }
 
 } // namespace
-
-bool movesFreely(const SolverData& data, std::size_t node)
-{
-    int imposed = data.fixed[node];
-    if (!data.conditionStart.empty())
-        for (Index k = data.conditionStart[node]; k < data.conditionStart[node + 1]; ++k)
-            if (const int axis = data.uses[std::size_t(k)].axis; axis >= 0) imposed |= 1 << axis;
-    return (imposed & 7) != 7;
-}
 
 void addPenalty(PairData& out,
                 const SolverData& data,
@@ -95,6 +89,7 @@ void addPenalty(PairData& out,
                 double share)
 {
     const double scale = share * pair.normalScale;
+    out.mirrors = mirrorsOf(model, out.contactor);
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
         out.faceMass.push_back(faceMass(data, out, face));
@@ -105,7 +100,6 @@ void addPenalty(PairData& out,
         for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
         return;
     }
-    out.contactorShare = mirrorShares(model, out.contactor);
     for (const ElementSide& side : target)
         out.faceStiffness.push_back(scale * penalty(model, side));
     const bool rigidFaces =

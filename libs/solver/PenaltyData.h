@@ -26,9 +26,6 @@ Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplit
 /// The surface as the kernel has it, likewise.
 SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows);
 
-/// False where every component of the node's motion is held or driven: no spring can disturb it.
-bool movesFreely(const SolverData& data, std::size_t node);
-
 /// A pair against an analytic surface.
 PairData makeSurfacePair(const SolverData& data,
                          const Model& model,

@@ -99,10 +99,15 @@ SearchSchedule::SearchSchedule(const SolverData& data)
         pass.reach = pair.reach;
         for (const double thickness : pair.faceThickness)
             pass.thickness = std::max(pass.thickness, thickness);
-        pass.faces = pair.faceNumber;
-        pass.target = sortedOnce(pair.faceNumber);
-        pass.contactor.assign(pair.contactorNumber.begin(),
-                              pair.contactorNumber.begin() + pair.nodeCount);
+        const auto numbered = [&](const std::vector<Index>& nodes, std::size_t count) {
+            std::vector<Index> out;
+            for (std::size_t i = 0; i < count; ++i)
+                out.push_back(data.contactNumber[std::size_t(nodes[i])]);
+            return out;
+        };
+        pass.faces = numbered(pair.faceNode, pair.faceNode.size());
+        pass.target = sortedOnce(pass.faces);
+        pass.contactor = numbered(pair.contactor, std::size_t(pair.nodeCount));
         pass.own = blocksOf(pass.contactor);
         pass.all = blocksOf(pass.target);
         passes_.push_back(std::move(pass));

@@ -19,7 +19,7 @@ public:
     /// What ContactTravel found, [block of contact nodes][2]: squares of the way since the
     /// positions were remembered, and of the speed.
     using Travel = std::vector<double>;
-    /// Remembered positions of the contact nodes, in three planes.
+    /// Positions of the contact nodes, in three planes.
     using Positions = std::vector<double>;
 
     struct Due {

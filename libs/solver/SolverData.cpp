@@ -4,6 +4,7 @@
 #include "base/Format.h"
 #include "kernels/particle/Amplitude.h"
 #include "mesh/Quality.h"
+#include "solver/PatchTables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,10 +128,6 @@ Index interiorCount(const Patches& patches, const Patch& patch)
 
 void addPatches(SolverData& data, const Model& model, const Patches& patches)
 {
-    data.slotNode = patches.slotNode;
-    data.slotCornerStart = patches.slotCornerStart;
-    for (const std::uint16_t entry : patches.slotCorners)
-        data.slotCorners.push_back(std::uint16_t((entry & 7) * patchCapacity + (entry >> 3)));
     data.elementTile.resize(std::size_t(data.elementCount));
     data.elementPlace.resize(std::size_t(data.elementCount));
     data.elementPatch.resize(std::size_t(data.elementCount));
@@ -143,25 +140,28 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
             throw Error(ExitCode::mesh, format("element {} has no positive volume", element),
                         "its nodes are numbered inside out, or the mesh is damaged: run fpmMesh");
     Index tile = 0;
+    PatchTables tables;
     for (const Patch& patch : patches.patches) {
         const Index stride = (patch.elementCount + tileWidth - 1) / tileWidth * tileWidth;
-        data.patches.push_back({patch.elementCount, tile, patch.firstSlot, patch.nodeCount,
-                                interiorCount(patches, patch), 0, patch.part, data.stateSize,
-                                data.strainCount});
+        PatchHeader& header = data.patches.emplace_back();
+        header.elementCount = patch.elementCount;
+        header.tile = tile;
+        header.firstNode = patches.slotNode[std::size_t(patch.firstSlot)];
+        header.nodeCount = patch.nodeCount;
+        header.interiorCount = interiorCount(patches, patch);
+        header.material = patch.part;
+        header.state = data.stateSize;
+        header.strains = data.strainCount;
+        tables.add(data, header, patches, patch);
         const StateLayout& layout = data.layouts[std::size_t(patch.part)];
         data.stateSize += std::size_t(layout.size()) * std::size_t(stride);
         data.strainCount += std::size_t(layout.sums()) * std::size_t(stride);
         data.maxPatchNodes = std::max(data.maxPatchNodes, std::size_t(patch.nodeCount));
-        data.corners.resize(8 * std::size_t(tile + stride));
         data.elementMass.resize(std::size_t(tile + stride));
         const double density = model.parts[std::size_t(patch.part)].density;
         for (Index e = 0; e < stride; ++e) {
             // Places beyond the last element repeat it: harmless work, no branch in the kernel.
             const Index element = patch.firstElement + std::min(e, patch.elementCount - 1);
-            for (Index corner = 0; corner < 8; ++corner)
-                data.corners[8 * std::size_t(tile) + inTiles(e, 8)
-                             + std::size_t(corner * tileWidth)] =
-                    patches.corners[8 * std::size_t(element) + std::size_t(corner)];
             data.elementMass[std::size_t(tile + e)] = density * volume(model.mesh, element);
             if (e >= patch.elementCount) continue;
             data.elementTile[std::size_t(element)] = std::size_t(tile);
@@ -178,18 +178,30 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
 void addPartialSums(SolverData& data, const Patches& patches)
 {
     std::vector<Index> sumOf(patches.slotNode.size(), -1);
-    for (PatchHeader& patch : data.patches) {
+    for (std::size_t number = 0; number < data.patches.size(); ++number) {
+        PatchHeader& patch = data.patches[number];
         patch.firstPartialSum = data.partialSumCount;
-        for (Index i = patch.interiorCount; i < patch.nodeCount; ++i)
-            sumOf[std::size_t(patch.firstSlot + i)] = data.partialSumCount++;
+        for (Index i = patch.interiorCount; i < patch.nodeCount; ++i) {
+            const std::size_t slot = std::size_t(patches.patches[number].firstSlot + i);
+            sumOf[slot] = data.partialSumCount++;
+            data.boundaryNodes.push_back(patches.slotNode[slot]);
+        }
     }
     data.partialSumsStart.assign(1, 0);
-    for (std::size_t node = 0; node < std::size_t(data.nodeCount); ++node) {
-        for (Index k = patches.nodeSlotStart[node]; k < patches.nodeSlotStart[node + 1]; ++k) {
+    data.firstBoundaryNode = data.nodeCount;
+    for (Index node = 0; node < data.nodeCount; ++node) {
+        const std::size_t before = data.partialSums.size();
+        for (Index k = patches.nodeSlotStart[std::size_t(node)];
+             k < patches.nodeSlotStart[std::size_t(node) + 1]; ++k) {
             const Index sum = sumOf[std::size_t(patches.nodeSlots[std::size_t(k)])];
             if (sum >= 0) data.partialSums.push_back(sum);
         }
-        data.partialSumsStart.push_back(Index(data.partialSums.size()));
+        if (data.partialSums.size() > before)
+            data.firstBoundaryNode = std::min(data.firstBoundaryNode, node);
+        else
+            data.interiorEnd = node + 1;
+        if (node >= data.firstBoundaryNode)
+            data.partialSumsStart.push_back(Index(data.partialSums.size()));
     }
 }
 
@@ -256,7 +268,7 @@ void shareNodes(SolverData& data)
         for (const Index number : group.patches) {
             const PatchHeader& patch = data.patches[std::size_t(number)];
             for (Index i = 0; i < patch.interiorCount; ++i)
-                interior[std::size_t(data.slotNode[std::size_t(patch.firstSlot + i)])] = true;
+                interior[std::size_t(patch.firstNode + i)] = true;
         }
     data.listedNodes.clear();
     for (std::size_t node = 0; node < interior.size(); ++node) {

@@ -34,16 +34,16 @@ struct PairData {
     Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
     bool forgives = false; ///< initial overlap makes no force
     double fadeTime = 0;   ///< > 0: for a time only
-    std::vector<Index> contactor, contactorNumber, ownFaceStart, ownFaceNode;
-    std::vector<Index> faceNode, faceNumber, faceTarget, neighbour;
-    std::vector<double> mirrorNormal;  ///< [3 * k]: of the plane that mirrorEdge(k) lies on
-    std::vector<std::uint8_t> mirrors; ///< planes a contactor lies on, a bit each; empty: none
+    std::vector<Index> contactor, ownFaceStart, ownFaces, ownFaceNode;
+    std::vector<Index> faceNode, nextAround, neighbour;
+    std::vector<double> mirrorNormal; ///< [3 * k]: of the plane that mirrorEdge(k) lies on
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
-    std::vector<double> contactorShare; ///< of the stiffness; empty: 1 everywhere
-    std::vector<Index> target, targetFaceStart, targetFaces;
+    std::vector<std::uint8_t> mirrors;       ///< planes of symmetry a contactor lies on, a bit each
+                                             ///< as mirrorNormal; empty: none
+    std::vector<Index> target, targetCorner; ///< nodes, and a corner of a face at each
     std::vector<Index> excludedStart, excluded;           ///< empty: none
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
     std::vector<std::uint8_t> mayMeet;
@@ -77,12 +77,14 @@ struct SolverData {
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
     std::vector<MaterialConstants<double>> materials;
-    std::vector<StateLayout> layouts;           ///< of each part
-    std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
-    std::vector<std::uint16_t> corners;         ///< tiles of 8
-    std::vector<std::uint16_t> slotCorners;     ///< corner * 256 + element
-    std::vector<Index> slotNode, slotCornerStart;
-    std::vector<Index> partialSumsStart, partialSums; ///< of each node: CSR; none: interior
+    std::vector<StateLayout> layouts;                              ///< of each part
+    std::size_t stateSize = 0, strainCount = 0;                    ///< of all patches together
+    std::vector<std::uint16_t> corners, cornerStarts, slotCorners; ///< see PatchTables, ElementPass
+    std::vector<Index> boundaryNodes;                              ///< node of each partial sum
+    Index firstBoundaryNode = 0;                      ///< nodes before it are interior to a patch,
+    Index interiorEnd = 0;                            ///< from here on none is
+    std::vector<Index> partialSumsStart, partialSums; ///< of nodes from firstBoundaryNode on: CSR;
+                                                      ///< none: interior
     std::vector<double> elementMass;                  ///< tiles of 1
     std::vector<double> massRatio;   ///< of it to the mass that is heated; empty: 1
     std::vector<double> nodeMass;    ///< that accelerates, with mass scaling
@@ -109,7 +111,6 @@ struct SolverData {
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
     std::vector<Index> contactNodes;    ///< node of each contact node
     std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
-    std::vector<double> contactInverseMass;
     ForceScale contactScale;
 
     /// Position of element e (mesh order) in tiles: tile and place.

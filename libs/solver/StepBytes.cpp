@@ -24,12 +24,15 @@ std::size_t bytesFor(const SolverData& data)
                               own = std::size_t(patch.interiorCount);
             bytes +=
                 elements
-                * (2 * 8 * sizeof(std::uint16_t) + work
+                * (work
                    + 2 * (std::size_t(layout.size()) * work + std::size_t(layout.sums()) * sum));
-            bytes += slots * (position + motion + 2 * sizeof(Index));
+            bytes += slots * (position + motion);
             // Sums at nodes of this patch alone are kept, the others' are partial sums.
-            bytes += own * 2 * 3 * work + (slots - own) * (2 * 4 * work + sizeof(Index));
+            bytes += own * 2 * 3 * work + (slots - own) * (2 * 4 * work + 2 * sizeof(Index));
         }
+    // Patches of one shape share their tables.
+    bytes += sizeof(std::uint16_t)
+             * (data.corners.size() + data.cornerStarts.size() + data.slotCorners.size());
     const std::size_t nodes = std::size_t(data.nodeCount),
                       listed = data.sharesNodes ? data.listedNodes.size() : nodes;
     return bytes + nodes * (position + motion + mass + 1)      // moved, by whomever

@@ -5,48 +5,80 @@
 
 namespace fpm {
 
-/// Cubic cells kept in a hash table of linked lists (head, next), so that a stray node far away
-/// costs nothing. Entries that share a hash by chance only lengthen a list. Cells of level l are
-/// 2^l times as wide; level `levels` is one cell for all that no other would hold.
+/// An entry of a list: the next one, -1: none, and the cell it was entered for.
+struct CellEntry {
+    Index next;
+    std::uint32_t cell;
+};
+
+/// Cubic cells kept in a hash table of linked lists, so that a stray node far away costs nothing.
+/// Cells of level l are 2^l times as wide. A face is entered once, where the middle of its box
+/// lies, on a level whose cells are half as wide as the box or wider: whoever is in the box finds
+/// it in his own cell or one of the 26 around. Level `levels` is one cell for all that no other
+/// would hold. Entries that share a list by chance are told apart by their cells.
 struct CellLists {
-    Index* head; ///< [mask + 1], -1: empty
-    Index* next; ///< [entries]
+    Index* head; ///< [mask + 1], -1: empty; then one a level: that of the last level, and for
+                 ///< the others -1 where the level is empty
+    CellEntry* entries; ///< [faces or target nodes]
     std::uint32_t mask;
     double cellSize;
     Index levels;
+    static constexpr Index mostLevels = 31;
 
     FPM_KERNEL static std::int64_t cellOf(double coordinate, double size)
     {
         const double cell = ::floor(coordinate / size);
         return cell > -1e15 && cell < 1e15 ? std::int64_t(cell) : 0; // NaN goes to cell 0
     }
+    /// Cells in a row along x have lists side by side.
     FPM_KERNEL Index* list(std::int64_t x, std::int64_t y, std::int64_t z, Index level = 0) const
     {
-        const std::uint32_t key = std::uint32_t(x) * 73856093u ^ std::uint32_t(y) * 19349663u
-                                  ^ std::uint32_t(z) * 83492791u
+        const std::uint32_t row = std::uint32_t(y) * 19349663u ^ std::uint32_t(z) * 83492791u
                                   ^ std::uint32_t(level) * 2654435761u;
-        return head + ((key ^ (key >> 15)) & mask);
+        return head + (((row ^ (row >> 15)) + std::uint32_t(x)) & mask);
     }
-    /// The list that holds the faces near a point on one level.
-    template <class Precision>
-    FPM_KERNEL Index first(const PairView<Precision>& pair, Index node, Index level) const
+    /// Tells a cell from its neighbours, from all other levels and from most others.
+    FPM_KERNEL static std::uint32_t
+    nameOf(std::int64_t x, std::int64_t y, std::int64_t z, Index level)
     {
-        if (level == levels) return *list(0, 0, 0, level);
+        return (std::uint32_t(x) & 511u) | (std::uint32_t(y) & 511u) << 9
+               | (std::uint32_t(z) & 511u) << 18 | std::uint32_t(level) << 27;
+    }
+    FPM_KERNEL Index* listOfLevel(Index level) const
+    {
+        return head + (std::size_t(mask) + 1 + level);
+    }
+
+    /// found(face) for the faces whose boxes, as they were entered, hold the node, and others.
+    template <class Precision, class Found>
+    FPM_KERNEL void
+    forEachFace(const PairView<Precision>& pair, Index node, const Found& found) const
+    {
         double size = cellSize;
-        for (Index l = 0; l < level; ++l) size += size;
-        const std::size_t n = std::size_t(node);
-        return *list(cellOf(double(pair.position[n]), size),
-                     cellOf(double(pair.position[pair.nodeStride + n]), size),
-                     cellOf(double(pair.position[2 * pair.nodeStride + n]), size), level);
+        for (Index level = 0; level < levels; ++level, size += size) {
+            if (*listOfLevel(level) < 0) continue;
+            std::int64_t cell[3];
+            for (int c = 0; c < 3; ++c)
+                cell[c] =
+                    cellOf(double(pair.position[c * pair.nodeStride + std::size_t(node)]), size);
+            for (int near = 0; near < 27; ++near) {
+                const std::int64_t x = cell[0] + near % 3 - 1, y = cell[1] + near / 3 % 3 - 1,
+                                   z = cell[2] + near / 9 - 1;
+                const std::uint32_t name = nameOf(x, y, z, level);
+                for (Index face = *list(x, y, z, level); face >= 0; face = entries[face].next)
+                    if (entries[face].cell == name) found(face);
+            }
+        }
+        for (Index face = *listOfLevel(levels); face >= 0; face = entries[face].next) found(face);
     }
-    FPM_KERNEL void insert(Index entry, Index* into) const
+    FPM_KERNEL void insert(Index entry, Index* into, std::uint32_t cell) const
     {
-        next[entry] = atomicExchangeIndex(into, entry);
+        entries[entry] = {atomicExchangeIndex(into, entry), cell};
     }
 };
 
-/// Enters a target face into every cell its box, inflated by its margin, touches: at most 8, on the
-/// level whose cells are at least as wide as the box (`search faces`).
+/// Enters a target face into the cell where the middle of its box lies, its margin included, on the
+/// first level whose cells are at least half as wide as the box (`search faces`).
 template <class Precision>
 struct InsertFace {
     PairView<Precision> pair;
@@ -54,38 +86,33 @@ struct InsertFace {
 
     FPM_KERNEL void operator()(Index face) const
     {
-        double least[3], most[3], widest = 0;
+        double middle[3], widest = 0;
         const double margin = double(pair.margin(face));
         for (int c = 0; c < 3; ++c) {
-            least[c] = 1e300;
-            most[c] = -1e300;
+            double least = 1e300, most = -1e300;
             for (int k = 0; k < 4; ++k) {
                 const std::size_t node = std::size_t(pair.faceNode[4 * std::size_t(face) + k]);
                 const double x = double(pair.position[c * pair.nodeStride + node]);
-                least[c] = x < least[c] ? x : least[c];
-                most[c] = x > most[c] ? x : most[c];
+                least = x < least ? x : least;
+                most = x > most ? x : most;
             }
-            least[c] -= margin;
-            most[c] += margin;
-            widest = most[c] - least[c] > widest ? most[c] - least[c] : widest;
+            middle[c] = 0.5 * (least + most);
+            const double wide = most - least + 2 * margin;
+            widest = wide > widest ? wide : widest;
         }
         double size = cells.cellSize;
         Index level = 0;
-        for (; level < cells.levels && !(size > 1.000001 * widest); ++level) size += size;
-        Index entry = 8 * face;
+        for (; level < cells.levels && !(2 * size > 1.000001 * widest); ++level) size += size;
+        Index* last = cells.listOfLevel(level);
         if (level == cells.levels) {
-            cells.insert(entry, cells.list(0, 0, 0, level));
+            cells.insert(face, last, 0);
             return;
         }
-        std::int64_t low[3], high[3];
-        for (int c = 0; c < 3; ++c) {
-            low[c] = CellLists::cellOf(least[c], size);
-            high[c] = CellLists::cellOf(most[c], size);
-        }
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-            for (std::int64_t y = low[1]; y <= high[1]; ++y)
-                for (std::int64_t x = low[0]; x <= high[0]; ++x)
-                    cells.insert(entry++, cells.list(x, y, z, level));
+        std::int64_t cell[3];
+        for (int c = 0; c < 3; ++c) cell[c] = CellLists::cellOf(middle[c], size);
+        cells.insert(face, cells.list(cell[0], cell[1], cell[2], level),
+                     CellLists::nameOf(cell[0], cell[1], cell[2], level));
+        if (*last < 0) atomicExchangeIndex(last, face); // whichever: there are some
     }
 };
 
@@ -97,12 +124,12 @@ struct InsertTarget {
 
     FPM_KERNEL void operator()(Index i) const
     {
-        const std::size_t node = std::size_t(pair.target[i]);
+        const std::size_t node = std::size_t(pair.targetNode(i));
         std::int64_t cell[3];
         for (int c = 0; c < 3; ++c)
             cell[c] = CellLists::cellOf(double(pair.position[c * pair.nodeStride + node]),
                                         cells.cellSize);
-        cells.insert(i, cells.list(cell[0], cell[1], cell[2]));
+        cells.insert(i, cells.list(cell[0], cell[1], cell[2]), 0);
     }
 };
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/contact/FootFaces.h"
 #include "kernels/contact/Overlap.h"
 #include "kernels/contact/Search.h"
+#include "kernels/contact/Slip.h"
+#include "kernels/particle/InteriorNodes.h"
 
 namespace fpm {
 
@@ -25,6 +26,10 @@ struct ContactForce {
         using T = typename Team::template Number<Work>;
         if (!pair.clock->running) return;
         const Index first = number * block, left = pair.contactorCount - first;
+        const BlockForce total{pair.force + std::size_t(number) * BlockForce::values,
+                               Team::oneThread};
+        team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
+        team.barrier();
         team.template forEachBatch<Work>(left < block ? left : block, [&](Index e) {
             const SteadyContactors<Precision, T> steady(pair, first + e);
             for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
@@ -32,9 +37,9 @@ struct ContactForce {
                 if (i >= pair.contactorCount) continue;
                 const Index face = pair.face[i];
                 if (steady.holds(lane))
-                    press(i, steady.tracked(lane, face));
+                    press(i, steady.tracked(lane, face), total);
                 else if (face >= 0)
-                    press(i, FaceTracker<Precision>{pair, cells}.follow(i));
+                    press(i, FaceTracker<Precision>{pair, cells}.follow(i), total);
                 else if (face == noFace)
                     open(i, Work(1));
             }
@@ -42,16 +47,10 @@ struct ContactForce {
     }
 
 private:
-    /// Where the contactor was at the last step: face and place on it.
-    struct Origin {
-        Index face;
-        Work xi, eta;
-    };
-
     /// Spring, friction and damping against the face found now.
-    FPM_KERNEL void press(Index i, const Tracked<Work>& now) const
+    FPM_KERNEL void press(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {
-        const Origin origin{pair.face[i], pair.xi[i], pair.eta[i]};
+        const Place<Work> origin{pair.face[i], pair.xi[i], pair.eta[i]};
         const Index face = now.face;
         pair.face[i] = face;
         pair.xi[i] = now.xi;
@@ -90,7 +89,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, force, rubbing, stiffness);
+        share(i, now, gap < 0, force, rubbing, stiffness, total);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -105,24 +104,13 @@ private:
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
     {
         if (!(pair.law.spring[i] > 0)) return;
-        for (int c = 0; c < 3; ++c) pair.force[c * pair.contactorCount + i] = 0;
         pair.law.open(i, stiffness, way);
     }
 
-    /// Movement of the contactor against the face in this step.
-    FPM_KERNEL Vec3<Work> relativeWay(Index i, Index face, const Projection<Work>& at) const
-    {
-        Work n[4];
-        shapeFunctions(at.xi, at.eta, n);
-        Vec3<Work> relative = pair.velocityOf(pair.contactor[i]);
-        for (int k = 0; k < 4; ++k)
-            relative = relative - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
-        return Work(pair.clock->step) * relative;
-    }
     /// Change of the gap in this step.
     FPM_KERNEL Work approach(Index i, Index face, const Projection<Work>& at) const
     {
-        return dot(relativeWay(i, face, at), at.normal);
+        return dot(Slip<Precision>{pair, i}.relativeWay(face, at), at.normal);
     }
     FPM_KERNEL Work massOf(Index i, Index face) const
     {
@@ -134,17 +122,18 @@ private:
     /// force as it is stored.
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      const Tracked<Work>& now,
-                                     const Origin& origin,
+                                     const Place<Work>& origin,
                                      Work stiffness,
                                      Work pressed,
                                      Vec3<Work>& held) const
     {
         const PairLaw<Work>& law = pair.law;
+        const Slip<Precision> measure{pair, i};
         const Index face = now.face;
         const Projection<Work>& at = now.at;
         held = law.storedVector(i);
         if (law.friction.paper) {
-            const Vec3<Work> slip = inPlane(relativeWay(i, face, at), at.normal);
+            const Vec3<Work> slip = inPlane(measure.relativeWay(face, at), at.normal);
             return held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         }
         const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
@@ -156,114 +145,17 @@ private:
             }
             law.storedFace[i] = face;
         }
-        Vec3<Work> way = wayOver(i, face, corners, origin, at);
-        if (FootFaces<Precision>::isOnBorder(at.xi, at.eta)
-            || FootFaces<Precision>::isOnBorder(origin.xi, origin.eta))
-            way += wayBeyond(i, face, corners, origin, at);
-        way = inPlane(way, at.normal);
-        if (now.ridge || pair.mirrorsOf(i)) {
-            way = alongMirrors(i, now, way);
-            const Work before = dot(held, held);
-            held = frame.components(alongMirrors(i, now, frame.vector(held, at.normal)), at.normal);
-            law.lose(i, before - dot(held, held), stiffness);
+        Vec3<Work> way = inPlane(measure.way(now, corners, origin), at.normal);
+        if (measure.mayMirror(now)) {
+            way = measure.alongMirrors(now, way);
+            const Vec3<Work> force = frame.vector(held, at.normal),
+                             left = measure.alongMirrors(now, force);
+            law.lose(i, dot(force, force) - dot(left, left), stiffness);
+            held = frame.components(left, at.normal);
         }
         const Vec3<Work> slip = frame.components(way, at.normal);
         held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
         return frame.vector(held, at.normal);
-    }
-
-    /// A tangential vector without what points out of the planes of symmetry that the contactor
-    /// lies on, of the model or of a ridge: there friction and its image cancel.
-    FPM_KERNEL Vec3<Work>
-    alongMirrors(Index i, const Tracked<Work>& now, const Vec3<Work>& vector) const
-    {
-        Vec3<Work> out = vector;
-        const auto remove = [&](const Vec3<Work>& across) {
-            const Vec3<Work> part = inPlane(across, now.at.normal);
-            const Work square = dot(part, part);
-            if (square > 0) out = out - (dot(out, part) / square) * part;
-        };
-        for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
-            if (mirrors >> k & 1) remove(pair.mirror(k));
-        if (!now.ridge) return out;
-        const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
-        for (int k = 1; k < faces.count; ++k)
-            if (faces.adjacent[k]) remove(faces.normal[0] - faces.normal[k]);
-        return out;
-    }
-
-    /// Way of the contactor as the target sees it, which turns: that of the foot plus gap times the
-    /// change of the normal, both on the target as it lies now. At an edge the normal is the mean
-    /// of those of the faces that have it, so that half of what it turns by there counts when the
-    /// foot comes to the edge and half when it leaves. Inside a ridge, where the other side becomes
-    /// the nearer one, the foot leaps and the normal with it: their sum does not.
-    FPM_KERNEL Vec3<Work> wayOver(Index i,
-                                  Index face,
-                                  const FaceCorners<Work>& corners,
-                                  const Origin& origin,
-                                  const Projection<Work>& at) const
-    {
-        const auto normalOf = [&](Index on, Work xi, Work eta) {
-            return FootFaces<Precision>(pair, i, on, xi, eta).meanNormal(pair);
-        };
-        if (origin.face == face) {
-            if (origin.xi == at.xi && origin.eta == at.eta) return {0, 0, 0};
-            return slipOnFace(corners, origin.xi, origin.eta, at.xi, at.eta)
-                   + at.gap
-                         * (normalOf(face, at.xi, at.eta) - normalOf(face, origin.xi, origin.eta));
-        }
-        const Vec3<Work> last =
-            offsetOn(pair.corners(origin.face, pair.contactor[i]), origin.xi, origin.eta);
-        return last - offsetOn(corners, at.xi, at.eta)
-               + at.gap
-                     * (normalOf(face, at.xi, at.eta)
-                        - normalOf(origin.face, origin.xi, origin.eta));
-    }
-
-    /// Whether a place on a border of a face lies on a free edge.
-    FPM_KERNEL bool isOnRim(const Origin& at) const
-    {
-        const Index* across = pair.neighbour + 4 * std::size_t(at.face);
-        return (at.xi * at.xi >= Work(1) && across[at.xi > 0 ? 1 : 3] == freeEdge)
-               || (at.eta * at.eta >= Work(1) && across[at.eta > 0 ? 2 : 0] == freeEdge);
-    }
-
-    /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
-    /// way that the foot does not make, as seen from the face.
-    FPM_KERNEL Vec3<Work> wayBeyond(Index i,
-                                    Index face,
-                                    const FaceCorners<Work>& corners,
-                                    const Origin& origin,
-                                    const Projection<Work>& at) const
-    {
-        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
-                         trimmed = offset - at.offset; // what lies beyond where the surface ends
-        if (!(dot(trimmed, trimmed) > 0) && !isOnRim(origin)) return {0, 0, 0};
-        const FootFaces<Precision> here(pair, i, face, at.xi, at.eta),
-            last(pair, i, origin.face, origin.xi, origin.eta);
-        Vec3<Work> now{0, 0, 0}, before{0, 0, 0};
-        for (int k = 0; k < here.count; ++k) now += inPlane(offset, here.normal[k]);
-        for (int k = 0; k < last.count; ++k)
-            before += offsetBefore(i, {last.face[k], last.xi[k], last.eta[k]});
-        return (Work(1) / Work(here.count)) * now - (Work(1) / Work(last.count)) * before;
-    }
-    /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
-    FPM_KERNEL Vec3<Work> offsetBefore(Index i, const Origin& origin) const
-    {
-        const FaceCorners<Work> now = pair.corners(origin.face, pair.contactor[i]);
-        FaceCorners<Work> before = now;
-        const Vec3<Work> own = pair.velocityOf(pair.contactor[i]);
-        for (int k = 0; k < 4; ++k) {
-            const Index node = pair.faceNode[4 * std::size_t(origin.face) + std::size_t(k)];
-            before.corner[k] =
-                before.corner[k] - Work(pair.clock->step) * (pair.velocityOf(node) - own);
-        }
-        Vec3<Work> offset, t1, t2;
-        evaluateFace(before, origin.xi, origin.eta, offset, t1, t2);
-        const Vec3<Work> normal = unit(cross(t1, t2)), inside = inPlane(offset, normal);
-        evaluateFace(now, origin.xi, origin.eta, offset, t1, t2);
-        return FaceFrame<Work>(now).vector(FaceFrame<Work>(before).components(inside, normal),
-                                           unit(cross(t1, t2)));
     }
 
     /// Forces on the target, and the contactor's as minus their exact sum. `rubbing`: what of the
@@ -274,10 +166,12 @@ private:
                           bool closed,
                           const Vec3<Work>& force,
                           const Vec3<Work>& rubbing,
-                          Work stiffness) const
+                          Work stiffness,
+                          const BlockForce& total) const
     {
         const ContactSums& sums = pair.sums;
         const Work bound = Work(2) * pair.law.limitFactor * stiffness;
+        const Index number = pair.contactNumber[pair.contactor[i]];
         std::int64_t own[3] = {0, 0, 0};
         if (!closed)
             loadStiffness(now.face, now.at.xi, now.at.eta, bound);
@@ -289,11 +183,10 @@ private:
         else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
-            sums.addForce(pair.contactorNumber[i], own);
-            for (int c = 0; c < 3; ++c)
-                pair.force[c * pair.contactorCount + i] = sums.scale.toForce(own[c]);
+            sums.addForce(number, own);
+            total.add(i, own);
         }
-        sums.addStiffness(pair.contactorNumber[i], double(bound));
+        sums.addStiffness(number, double(bound));
     }
     FPM_KERNEL void loadRidge(Index i,
                               const Tracked<Work>& now,
@@ -340,7 +233,7 @@ private:
             couple = CornerCouple<Work>(pair.corners(face, pair.contactor[i]), xi, eta, rubbing);
         const ContactSums& sums = pair.sums;
         for (int k = 0; k < 4; ++k) {
-            const Index corner = pair.faceNumber[4 * std::size_t(face) + k];
+            const Index corner = Index(pair.contactNumberAt(face, k));
             Vec3<Work> onCorner = -n[k] * force;
             if (rubs) onCorner += couple.at(k);
             const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
@@ -356,8 +249,7 @@ private:
         Work n[4];
         shapeFunctions(xi, eta, n);
         for (int k = 0; k < 4; ++k)
-            pair.sums.addStiffness(pair.faceNumber[4 * std::size_t(face) + k],
-                                   double(n[k] * bound));
+            pair.sums.addStiffness(Index(pair.contactNumberAt(face, k)), double(n[k] * bound));
     }
 };
 
@@ -366,7 +258,9 @@ template <class Motion>
 struct ContactLimit {
     Index count;
     const std::int64_t* sum;
-    const Motion* inverseMass; ///< of each contact node; 0 where its motion is imposed
+    const Index* nodes;
+    const Motion* inverseMass; ///< of all nodes
+    const std::uint8_t* fixed; ///< likewise, see InteriorNodes
     ForceScale scale;
     double* blockLimit;
     const StepClock* clock;
@@ -382,8 +276,9 @@ struct ContactLimit {
         double* partial = values + block;
         const Index first = number * block, size = count - first < block ? count - first : block;
         team.forEach(size, [&](Index i) {
-            const std::size_t node = std::size_t(first + i);
-            values[i] = -scale.toStiffness(sum[4 * node + 3]) * double(inverseMass[node]);
+            const std::size_t at = std::size_t(first + i), node = std::size_t(nodes[at]);
+            const double inverse = fixed[node] & imposedNode ? 0 : double(inverseMass[node]);
+            values[i] = -scale.toStiffness(sum[4 * at + 3]) * inverse;
         });
         team.barrier();
         blockMinimum(team, size, values, partial);

@@ -75,16 +75,15 @@ private:
     }
     FPM_KERNEL void addCorner(const PairView<Precision>& pair, Index i, int corner)
     {
-        const Index target = pair.faceTarget[4 * std::size_t(face[0]) + std::size_t(corner)];
-        for (Index k = pair.targetFaceStart[target];
-             k < pair.targetFaceStart[target + 1] && count < most; ++k) {
-            const Index other = pair.targetFaces[k];
-            const Index* corners = pair.faceTarget + 4 * std::size_t(other);
+        const Index node = pair.faceNode[4 * std::size_t(face[0]) + std::size_t(corner)];
+        pair.visitAround(face[0], corner, [&](Index other) {
+            const Index* nodes = pair.faceNode + 4 * std::size_t(other);
             int c = 0;
-            while (c < 3 && corners[c] != target) ++c;
+            while (c < 3 && nodes[c] != node) ++c;
             if (other != face[0])
                 add(pair, i, other, Work(c == 1 || c == 2 ? 1 : -1), Work(c > 1 ? 1 : -1));
-        }
+            return count < most;
+        });
     }
 };
 

@@ -21,6 +21,19 @@ struct ForceScale {
     FPM_KERNEL std::int64_t spring(double value) const { return std::int64_t(value * toSpring); }
 };
 
+/// Forces on the contactors of one block, as their sum: some partial sums, so that threads that
+/// work on the block together seldom meet.
+struct BlockForce {
+    static constexpr Index parts = 8, values = 3 * parts;
+    std::int64_t* sums; ///< [parts][3], fixed point
+    bool alone;         ///< one thread works on the block
+
+    FPM_KERNEL void add(Index i, const std::int64_t (&force)[3]) const
+    {
+        for (int c = 0; c < 3; ++c) add64(sums + 3 * (i % parts) + c, force[c], alone);
+    }
+};
+
 /// What the pairs add to: force and stiffness of each contact node.
 struct ContactSums {
     std::int64_t* values; ///< [contact node][4]: force and stiffness, fixed point

@@ -52,38 +52,37 @@ struct PairView {
 
     Index contactorCount, faceCount, targetCount;
     Index nodeCount; ///< contactors without repetition: contactor i has the node of i % nodeCount
-    const Index* contactor;       ///< node
-    const Index* contactorNumber; ///< its number among all contact nodes
+    const Index* contactor;     ///< node
+    const Index* contactNumber; ///< of each node of the model among all contact nodes, or -1
     const Index*
         ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
-    const Index* ownFaceNode; ///< ... [4 * entry + corner], node
-    const Index* faceNode;    ///< [4 * face + corner]
-    const Index* faceNumber;  ///< [4 * face + corner], number among all contact nodes
-    const Index* faceTarget;  ///< [4 * face + corner], number among the target nodes
-    const Index* neighbour;   ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
-                              ///< corners i and i + 1
-    const Work* mirrorNormal; ///< [3 * k]: unit normals of the planes of symmetry
-    const std::uint8_t*
-        mirrors;               ///< planes a contactor lies on, a bit each: [nodeCount]; null: none
-    const Work* faceStiffness; ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
-    const Work* faceThickness; ///< V / A
-    const Work* faceMass;      ///< of its lightest free corner, for contact damping
-    const Index* target;       ///< target nodes
-    const Index* targetFaceStart; ///< faces around a target node: CSR
-    const Index* targetFaces;
-    const Index* excludedStart; ///< faces that are no partner of a node, ascending: CSR over
-                                ///< [nodeCount]; null: none
+    const Index* ownFaces;
+    const Index* ownFaceNode;    ///< [4 * own face + corner], node
+    const Index* faceNode;       ///< [4 * face + corner]
+    const Index* nextAround;     ///< [4 * face + corner]: 4 * face + corner of the next face around
+                                 ///< the same node, ascending; after the last the first
+    const Index* neighbour;      ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
+                                 ///< corners i and i + 1
+    const Work* mirrorNormal;    ///< [3 * k]: unit normals of the planes of symmetry
+    const std::uint8_t* mirrors; ///< planes a contactor lies on, a bit each; null: none
+    const Work* faceStiffness;   ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
+    const Work* faceThickness;   ///< V / A
+    const Work* faceMass;        ///< of its lightest free corner, for contact damping
+    const Index* targetCorner;   ///< a corner of a face at each target node, as in nextAround: the
+                                 ///< first; only for `search closestParticle`
+    const Index* excludedStart;  ///< faces that are no partner of a node, ascending: CSR over
+                                 ///< [nodeCount]; null: none
     const Index* excluded;
     const Index* faceComponent;      ///< body of a face; null: one body
     const Index* contactorComponent; ///< body of a node, [nodeCount]
     const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all may
     Index components;
 
-    Work* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
+    float* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
     Index* face;
     Work *xi, *eta;
     std::uint8_t* around; ///< what the last search found around it, as Around
-    double* force;        ///< on the contactor, this step
+    std::int64_t* force;  ///< on each block of contactors this step, see BlockForce
     std::int64_t* counts; ///< as PairCount
     Work* overlap;        ///< depth at which it was found, that makes no force
     Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
@@ -123,7 +122,22 @@ struct PairView {
     {
         return {mirrorNormal[3 * k], mirrorNormal[3 * k + 1], mirrorNormal[3 * k + 2]};
     }
-    FPM_KERNEL Index mirrorsOf(Index i) const { return mirrors ? mirrors[i % nodeCount] : 0; }
+    FPM_KERNEL Index mirrorsOf(Index i) const { return mirrors ? mirrors[i] : 0; }
+    /// visit(face) for the faces around a corner of one, ascending, until it says false.
+    template <class Visit>
+    FPM_KERNEL void visitAround(Index number, int corner, const Visit& visit) const
+    {
+        Index last = 4 * number + corner;
+        while (nextAround[last] > last) last = nextAround[last];
+        Index at = last;
+        do at = nextAround[at];
+        while (visit(at / 4) && at != last);
+    }
+    FPM_KERNEL Index targetNode(Index i) const { return faceNode[targetCorner[i]]; }
+    FPM_KERNEL std::size_t contactNumberAt(Index number, int corner) const
+    {
+        return std::size_t(contactNumber[faceNode[4 * std::size_t(number) + std::size_t(corner)]]);
+    }
     /// Distance from a face at which a search finds it: within reach, or inside the target up to
     /// half its thickness, also after half a reach of the face's own way.
     FPM_KERNEL Work margin(Index number) const
@@ -155,7 +169,8 @@ struct PairView {
     FPM_KERNEL Vec3<Work> ownNormalOf(Index i) const
     {
         const Index base = i % nodeCount;
-        return {ownNormal[base], ownNormal[nodeCount + base], ownNormal[2 * nodeCount + base]};
+        return {Work(ownNormal[base]), Work(ownNormal[nodeCount + base]),
+                Work(ownNormal[2 * nodeCount + base])};
     }
 };
 

@@ -14,7 +14,8 @@ struct PairLaw {
     Index count;
     PenaltySource source;
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
-    const Work* contactorShare;     ///< of that stiffness; null: all of it
+    const std::uint8_t*
+        mirrors; ///< planes of symmetry it lies on, a bit each, each halves it; null: none
     FrictionLaw<Work> friction;
     Work* stored;              ///< tangential force: two components in a face's frame, or a vector
     Index* storedFace;         ///< whose frame that is; null where `stored` is a vector in space
@@ -29,8 +30,10 @@ struct PairLaw {
     /// k_n between contactor i and a face. A rigid side has stiffness 0: the other's counts.
     FPM_KERNEL Work stiffness(Index i, Work face) const
     {
-        const Work whole = wholeStiffness(i, face);
-        return contactorShare ? contactorShare[i] * whole : whole;
+        Work stiffness = wholeStiffness(i, face);
+        if (mirrors)
+            for (unsigned left = mirrors[i]; left > 0; left &= left - 1) stiffness *= Work(0.5);
+        return stiffness;
     }
     FPM_KERNEL Work wholeStiffness(Index i, Work face) const
     {

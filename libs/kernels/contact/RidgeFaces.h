@@ -38,6 +38,16 @@ FPM_KERNEL Work squareOfDiagonal(const FaceCorners<Work>& face)
     return dot(diagonal, diagonal);
 }
 
+template <class Precision>
+FPM_KERNEL bool haveEdgeInCommon(const PairView<Precision>& pair, Index a, Index b)
+{
+    for (int edge = 0; edge < 4; ++edge) {
+        const Index across = pair.neighbour[4 * std::size_t(a) + std::size_t(edge)];
+        if (across >= 0 && across / 4 == b) return true;
+    }
+    return false;
+}
+
 /// Faces to which a contactor inside a ridge is as near as to `face`, its feet inside all of them:
 /// those around one corner, four at most. The force belongs to all in equal shares, or a symmetric
 /// scene would move to one side.
@@ -62,12 +72,11 @@ struct RidgeFaces {
         offset[0] = at.offset;
         adjacent[0] = true;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
-        const Index target = pair.faceTarget[4 * std::size_t(first) + std::size_t(corner)];
         const Work square = at.gap * at.gap;
-        for (Index k = pair.targetFaceStart[target];
-             k < pair.targetFaceStart[target + 1] && count < most; ++k)
-            if (pair.targetFaces[k] != first && pair.mayTouch(i, pair.targetFaces[k]))
-                add(pair, i, pair.targetFaces[k], square);
+        pair.visitAround(first, corner, [&](Index other) {
+            if (other != first && pair.mayTouch(i, other)) add(pair, i, other, square);
+            return count < most;
+        });
     }
 
     /// What a force in the first face is in another: its image in the plane between two neighbours,
@@ -98,11 +107,7 @@ private:
         eta[count] = point.eta;
         normal[count] = at.normal;
         offset[count] = at.offset;
-        adjacent[count] = false;
-        for (int edge = 0; edge < 4; ++edge) {
-            const Index across = pair.neighbour[4 * std::size_t(face[0]) + std::size_t(edge)];
-            if (across >= 0 && across / 4 == other) adjacent[count] = true;
-        }
+        adjacent[count] = haveEdgeInCommon(pair, face[0], other);
         ++count;
     }
 };

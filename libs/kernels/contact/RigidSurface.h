@@ -60,9 +60,9 @@ struct SurfaceForce {
 
     Index contactorCount;
     const Index* contactor;
-    const Index* contactorNumber;
-    double* force; ///< on the contactor, this step
-    double* work;  ///< done by the moving surface, running sum
+    const Index* contactNumber; ///< of each node
+    double* force;              ///< on the contactor, this step
+    double* work;               ///< done by the moving surface, running sum
     const typename Precision::Position* position;
     const typename Precision::Motion* velocity;
     std::size_t nodeStride;
@@ -142,10 +142,10 @@ private:
 
     FPM_KERNEL void share(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
     {
-        if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0)
-            sums.addForce(contactorNumber[i], fixed);
+        const Index number = contactNumber[contactor[i]];
+        if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0) sums.addForce(number, fixed);
         for (int c = 0; c < 3; ++c) force[c * contactorCount + i] = sums.scale.toForce(fixed[c]);
-        if (near) sums.addStiffness(contactorNumber[i], double(Work(2) * law.limitFactor * k));
+        if (near) sums.addStiffness(number, double(Work(2) * law.limitFactor * k));
     }
     FPM_KERNEL static Vec3<Work> toWork(const Vec3<double>& v)
     {

@@ -16,7 +16,7 @@ struct ContactorNormal {
         Vec3<Work> sum{0, 0, 0};
         Work count = 0;
         for (Index k = pair.ownFaceStart[i]; k < pair.ownFaceStart[i + 1]; ++k) {
-            const Index* nodes = pair.ownFaceNode + 4 * std::size_t(k);
+            const Index* nodes = pair.ownFaceNode + 4 * std::size_t(pair.ownFaces[k]);
             const Vec3<Work> d1 = pair.relative(nodes[2], nodes[0]),
                              d2 = pair.relative(nodes[3], nodes[1]);
             const Vec3<Work> n = cross(d1, d2);
@@ -26,9 +26,9 @@ struct ContactorNormal {
         }
         const Work length = squareRoot(dot(sum, sum));
         const Work scale = length > Work(0.2) * count ? Work(1) / length : Work(0);
-        pair.ownNormal[i] = scale * sum.x;
-        pair.ownNormal[pair.nodeCount + i] = scale * sum.y;
-        pair.ownNormal[2 * pair.nodeCount + i] = scale * sum.z;
+        pair.ownNormal[i] = float(scale * sum.x);
+        pair.ownNormal[pair.nodeCount + i] = float(scale * sum.y);
+        pair.ownNormal[2 * pair.nodeCount + i] = float(scale * sum.z);
     }
 };
 
@@ -120,7 +120,7 @@ private:
     }
 };
 
-/// `search faces`: the node tries every face entered into its own cells.
+/// `search faces`: the node tries every face entered into its own cells and those around them.
 template <class Precision>
 struct FindFace {
     using Work = typename Precision::Work;
@@ -133,15 +133,13 @@ struct FindFace {
         const int slots = int(pair.contactorCount / pair.nodeCount);
         Index partner[mostPartners];
         int partners = 0;
-        for (Index level = 0; level <= cells.levels; ++level)
-            for (Index entry = cells.first(pair, pair.contactor[node], level); entry >= 0;
-                 entry = cells.next[entry]) {
-                Candidate<Work> candidate;
-                if (!isPartner(pair, node, entry / 8, candidate)) continue;
-                found.add(candidate, pair.componentOf(entry / 8), slots);
-                if (partners < mostPartners) partner[partners] = entry / 8;
-                ++partners;
-            }
+        cells.forEachFace(pair, pair.contactor[node], [&](Index face) {
+            Candidate<Work> candidate;
+            if (!isPartner(pair, node, face, candidate)) return;
+            found.add(candidate, pair.componentOf(face), slots);
+            if (partners < mostPartners) partner[partners] = face;
+            ++partners;
+        });
         SlotChoice<Precision>{pair, node}.enter(found, around(node, found, partner, partners));
     }
 
@@ -201,21 +199,24 @@ struct FindClosestParticle {
             return; // the faces around it are at hand, and projected on at every step
         NearestFaces<Work> found;
         if (closest >= 0)
-            for (Index k = pair.targetFaceStart[closest]; k < pair.targetFaceStart[closest + 1];
-                 ++k) {
-                Candidate<Work> candidate;
-                if (isPartner(pair, i, pair.targetFaces[k], candidate)) found.add(candidate, 0, 1);
-            }
+            pair.visitAround(pair.targetCorner[closest] / 4, pair.targetCorner[closest] % 4,
+                             [&](Index face) {
+                                 Candidate<Work> candidate;
+                                 if (isPartner(pair, i, face, candidate))
+                                     found.add(candidate, 0, 1);
+                                 return true;
+                             });
         SlotChoice<Precision>{pair, i}.enter(found, aroundCurved);
     }
 
 private:
     FPM_KERNEL bool hasCorner(Index face, Index target) const
     {
-        const Index* corner = pair.faceTarget + 4 * std::size_t(face < 0 ? 0 : face);
+        const Index* corner = pair.faceNode + 4 * std::size_t(face < 0 ? 0 : face);
+        const Index node = pair.targetNode(target);
         return face >= 0
-               && (corner[0] == target || corner[1] == target || corner[2] == target
-                   || corner[3] == target);
+               && (corner[0] == node || corner[1] == node || corner[2] == node
+                   || corner[3] == node);
     }
     FPM_KERNEL Index closestTarget(Index i) const
     {
@@ -229,8 +230,8 @@ private:
         for (int near = 0; near < 27; ++near) {
             const Index* list = cells.list(cell[0] + near % 3 - 1, cell[1] + near / 3 % 3 - 1,
                                            cell[2] + near / 9 - 1);
-            for (Index k = *list; k >= 0; k = cells.next[k]) {
-                const Vec3<Work> r = pair.relative(pair.target[k], node);
+            for (Index k = *list; k >= 0; k = cells.entries[k].next) {
+                const Vec3<Work> r = pair.relative(pair.targetNode(k), node);
                 const Work square = dot(r, r);
                 if (closest < 0 || square < best || (square == best && k < closest)) {
                     closest = k;

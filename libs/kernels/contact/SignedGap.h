@@ -111,14 +111,12 @@ private:
     FPM_KERNEL Vec3<Work> fan(Index face, int corner, Vec3<Work>& offset, bool& beyond) const
     {
         Vec3<Work> sum{0, 0, 0};
-        const Index target = pair.faceTarget[4 * std::size_t(face) + std::size_t(corner)];
-        const Index node = pair.target[target];
-        for (Index k = pair.targetFaceStart[target]; k < pair.targetFaceStart[target + 1]; ++k) {
-            const Index number = pair.targetFaces[k];
+        const Index node = pair.faceNode[4 * std::size_t(face) + std::size_t(corner)];
+        pair.visitAround(face, corner, [&](Index number) {
             const FaceCorners<Work> f = corners(number);
             const int c = cornerOf(number, node);
             const Vec3<Work> normal = cornerNormal(f, c);
-            if (number != face && looksAway(pair, contactor, normal)) continue;
+            if (number != face && looksAway(pair, contactor, normal)) return true;
             const Vec3<Work> a = f.corner[(c + 1) & 3] - f.corner[c],
                              b = f.corner[(c + 3) & 3] - f.corner[c];
             const Work sizes = dot(a, a) * dot(b, b);
@@ -132,7 +130,8 @@ private:
                                                                 cornerOf(across / 4, node))));
                 if (ends) beyond = trim(f, e & 3, normal, offset) || beyond;
             }
-        }
+            return true;
+        });
         return sum;
     }
 

@@ -47,13 +47,13 @@ public:
                 for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
                 continue;
             }
-            const std::size_t face = std::size_t(pair.face[i]);
+            const Index face = pair.face[i];
             start[0][lane] = pair.xi[i];
             start[1][lane] = pair.eta[i];
-            const FaceCorners<Work> corners = pair.corners(pair.face[i], pair.contactor[i]);
+            const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
             for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
-                prefetch(pair.sums.values + 4 * std::size_t(pair.faceNumber[4 * face + k]));
-            prefetch(pair.sums.values + 4 * std::size_t(pair.contactorNumber[i]));
+                prefetch(pair.sums.values + 4 * pair.contactNumberAt(face, k));
+            prefetch(pair.sums.values + 4 * std::size_t(pair.contactNumber[pair.contactor[i]]));
             for (int k = 0; k < 4; ++k) {
                 corner[3 * k][lane] = corners.corner[k].x;
                 corner[3 * k + 1][lane] = corners.corner[k].y;
@@ -166,12 +166,13 @@ private:
             least = square;
             nearest = k;
         }
-        const Index start = here.face,
-                    target = pair.faceTarget[4 * std::size_t(start) + std::size_t(nearest)];
+        const Index start = here.face;
         here.point = closestPoint(corners, Work(0), Work(0));
-        for (Index k = pair.targetFaceStart[target]; k < pair.targetFaceStart[target + 1]; ++k)
-            if (bool ridge; pair.targetFaces[k] != start)
-                moved(i, pair.targetFaces[k], here, corners, ridge);
+        pair.visitAround(start, nearest, [&](Index face) {
+            bool ridge = false;
+            if (face != start) moved(i, face, here, corners, ridge);
+            return true;
+        });
     }
 
     /// Moves to a face that is nearer by more than rounding. `ridge`: both are as near, each with
@@ -203,9 +204,6 @@ private:
     hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
         ridge = false;
-        Index across[2];
-        const Index* list = across;
-        Index count = 0;
         if (here.point.where >= firstCorner) {
             // Across its edges first: of faces equally near, as at a plane of symmetry, those stay
             // on the same side.
@@ -214,13 +212,17 @@ private:
                 const Index next = pair.neighbour[4 * std::size_t(here.face) + (edge & 3)];
                 if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
             }
-            const Index target = pair.faceTarget[4 * std::size_t(here.face) + std::size_t(corner)];
-            list = pair.targetFaces + pair.targetFaceStart[target];
-            count = pair.targetFaceStart[target + 1] - pair.targetFaceStart[target];
-        } else
-            count = acrossEdges(i, here, corners, across);
+            bool any = false;
+            pair.visitAround(here.face, corner, [&](Index face) {
+                any = moved(i, face, here, corners, ridge);
+                return !any;
+            });
+            return any;
+        }
+        Index across[2];
+        const Index count = acrossEdges(i, here, corners, across);
         for (Index k = 0; k < count; ++k)
-            if (moved(i, list[k], here, corners, ridge)) return true;
+            if (moved(i, across[k], here, corners, ridge)) return true;
         return false;
     }
 
@@ -282,15 +284,12 @@ private:
     {
         const Index body = pair.componentOf(here.face);
         Candidate<Work> best{noFace, {}, 0};
-        for (Index level = 0; level <= cells.levels; ++level)
-            for (Index entry = cells.first(pair, pair.contactor[i], level); entry >= 0;
-                 entry = cells.next[entry]) {
-                Candidate<Work> other;
-                if (entry / 8 != here.face && pair.componentOf(entry / 8) == body
-                    && isPartner(pair, i, entry / 8, other)
-                    && (best.face < 0 || isNearer(other, best)))
-                    best = other;
-            }
+        cells.forEachFace(pair, pair.contactor[i], [&](Index face) {
+            Candidate<Work> other;
+            if (face != here.face && pair.componentOf(face) == body
+                && isPartner(pair, i, face, other) && (best.face < 0 || isNearer(other, best)))
+                best = other;
+        });
         if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
         here = best;
         corners = pair.corners(here.face, pair.contactor[i]);

@@ -6,8 +6,10 @@
 
 namespace fpm {
 
-/// How far the contact nodes have come since their positions were remembered, and how fast they
-/// are: largest square of a block of nodes. One index = one block; exact, in any order.
+/// How far the contact nodes have come since their positions were remembered, or a little further,
+/// and how fast they are: largest square of a block of nodes. One index = one block; the same in
+/// any order. Remembered are the place of the block's first node and from there the offsets of all
+/// as floats, whose rounding is added to the way.
 template <class Precision>
 struct ContactTravel {
     Index count;
@@ -15,8 +17,12 @@ struct ContactTravel {
     const typename Precision::Position* position;
     const typename Precision::Motion* velocity;
     std::size_t nodeStride;
-    const double* searchPosition; ///< three planes of `count`
-    double* travel;               ///< [block][2]: distance and speed, squared
+    const double* searchOrigin; ///< [block][3]
+    const float* searchOffset;  ///< three planes of `count`
+    double* travel;             ///< [block][2]: distance and speed, squared
+
+    /// Of a double that is kept as a float, and of the subtractions around it.
+    static constexpr double rounding = 6e-8;
 
     FPM_KERNEL void operator()(Index block) const
     {
@@ -27,7 +33,9 @@ struct ContactTravel {
             double d2 = 0, v2 = 0;
             for (int c = 0; c < 3; ++c) {
                 const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
-                const double d = double(position[at]) - searchPosition[c * std::size_t(count) + i];
+                const double offset = double(searchOffset[c * std::size_t(count) + i]),
+                             way = double(position[at]) - searchOrigin[3 * block + c] - offset,
+                             d = magnitude(way) + rounding * magnitude(offset);
                 const double v = double(velocity[at]);
                 d2 += d * d;
                 v2 += v * v;
@@ -47,13 +55,18 @@ struct RememberPositions {
     const Index* nodes;
     const typename Precision::Position* position;
     std::size_t nodeStride;
-    double* searchPosition;
+    double* searchOrigin;
+    float* searchOffset;
 
     FPM_KERNEL void operator()(Index i) const
     {
-        for (int c = 0; c < 3; ++c)
-            searchPosition[c * std::size_t(count) + i] =
-                double(position[c * nodeStride + std::size_t(nodes[i])]);
+        const Index block = i / travelBlock, first = travelBlock * block;
+        for (int c = 0; c < 3; ++c) {
+            const typename Precision::Position* plane = position + c * nodeStride;
+            const double origin = double(plane[nodes[first]]);
+            searchOffset[c * std::size_t(count) + i] = float(double(plane[nodes[i]]) - origin);
+            if (i == first) searchOrigin[3 * block + c] = origin;
+        }
     }
 };
 

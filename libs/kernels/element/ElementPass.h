@@ -12,11 +12,12 @@ namespace fpm {
 struct PatchHeader {
     Index elementCount;
     Index tile; ///< padded elements in all patches before
-    Index firstSlot, nodeCount;
+    Index firstNode, nodeCount;
     Index interiorCount;   ///< its first nodes, numbered in a row: no other patch touches them
     Index firstPartialSum; ///< one for each of its other nodes
     Index material;
-    std::size_t state, strains; ///< where the state of the patch begins (StateLayout)
+    Index corners, cornerStarts, slotCorners; ///< where the tables of its shape begin
+    std::size_t state, strains;               ///< where the state of the patch begins (StateLayout)
 };
 
 inline constexpr Index patchCapacity = 256;
@@ -46,18 +47,18 @@ struct ElementPass {
     const Index* list; ///< patches of this kind
     const PatchHeader* patches;
     const MaterialConstants<Work>* materials;
-    const Index* slotNode;
+    const Index* boundaryNodes;   ///< the nodes of a patch beyond the interior, as partial sums
     const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
-    const Index* slotCornerStart;
-    const std::uint16_t* slotCorners; ///< corner * 256 + element, ascending element
-    InteriorNodes<Precision> nodes;   ///< all nodes of the model
-    const Work* mass;                 ///< tiles of 1
-    const Work* massRatio;            ///< mass over that without mass scaling, which heats; null: 1
-    Work* state;                      ///< tiles of the part's StateLayout
-    Sum* plasticStrain;               ///< likewise, with the rises of temperature
-    Work* partialForce;               ///< of other than interior nodes, 4 values each
-    double* patchEnergy;              ///< [patch][elementEnergies], running sums
-    double* patchStep;                ///< [patch], stable step
+    const std::uint16_t* cornerStarts; ///< element corners around a node: CSR
+    const std::uint16_t* slotCorners;  ///< ... corner * 256 + element, ascending element
+    InteriorNodes<Precision> nodes;    ///< all nodes of the model
+    const Work* mass;                  ///< tiles of 1
+    const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
+    Work* state;           ///< tiles of the part's StateLayout
+    Sum* plasticStrain;    ///< likewise, with the rises of temperature
+    Work* partialForce;    ///< of other than interior nodes, 4 values each
+    double* patchEnergy;   ///< [patch][elementEnergies], running sums
+    double* patchStep;     ///< [patch], stable step
     const StepClock* clock;
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
@@ -75,8 +76,7 @@ struct ElementPass {
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
         if (movesInterior && clock->steps > 0) { // forces are known after the start
-            nodes.advance(team, std::size_t(slotNode[patch.firstSlot]), patch.interiorCount,
-                          *clock);
+            nodes.advance(team, std::size_t(patch.firstNode), patch.interiorCount, *clock);
             team.barrier();
         }
         loadNodes(team, patch, places);
@@ -123,14 +123,15 @@ private:
     template <class Team>
     FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* places) const
     {
-        const Index* slots = slotNode + patch.firstSlot;
+        const Index first = patch.firstNode, interior = patch.interiorCount;
+        const Index* others = boundaryNodes + (patch.firstPartialSum - interior);
         const Index count = patch.nodeCount;
-        const std::size_t origin = std::size_t(slots[0]), planes = nodes.nodeStride;
+        const std::size_t origin = std::size_t(first), planes = nodes.nodeStride;
         const Motion dt = Motion(clock->step);
         const Position* x = nodes.position;
         const Motion* v = nodes.velocity;
         team.forEach(count, [=](Index i) {
-            const std::size_t node = std::size_t(slots[i]);
+            const std::size_t node = std::size_t(i < interior ? first + i : others[i]);
             Work *place = places + 4 * i, *increment = places + 4 * (count + i);
             for (int c = 0; c < 3; ++c) {
                 const std::size_t plane = c * planes;
@@ -154,7 +155,7 @@ private:
         const std::size_t tile = std::size_t(patch.tile);
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
-            const std::uint16_t* corner = corners + 8 * tile + inTiles(e, 8);
+            const std::uint16_t* corner = corners + std::size_t(patch.corners) + inTiles(e, 8);
             loadModes(places, corner, x);
             loadModes(places + 4 * count, corner, w);
             const ElementStep<T> step =
@@ -358,12 +359,12 @@ private:
     FPM_KERNEL void
     gatherForces(const Team& team, const PatchHeader& patch, const Work* forces) const
     {
-        const Index* start = slotCornerStart + patch.firstSlot;
-        const std::uint16_t* entries = slotCorners;
+        const std::uint16_t* start = cornerStarts + patch.cornerStarts;
+        const std::uint16_t* entries = slotCorners + patch.slotCorners;
         const Index interior = patch.interiorCount;
-        Work* inside = nodes.force + slotNode[patch.firstSlot];
+        Work* inside = nodes.force + patch.firstNode;
         Work* others = partialForce + 4 * (std::size_t(patch.firstPartialSum) - interior);
-        const std::size_t planes = nodes.nodeStride;
+        const std::size_t planes = nodes.forceStride;
         team.forEach(patch.nodeCount, [=](Index i) {
             Work x = 0, y = 0, z = 0;
             for (Index k = start[i]; k < start[i + 1]; ++k) {

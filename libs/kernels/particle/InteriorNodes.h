@@ -9,8 +9,9 @@
 namespace fpm {
 
 /// Bits of the array `fixed` beside 0..2 (component held at zero velocity): a rigid body moves the
-/// node; NodePass moves it, not the one patch that it belongs to.
-inline constexpr std::uint8_t bodyNode = 8, listedNode = 16;
+/// node; NodePass moves it, not the one patch that it belongs to; every component of its motion is
+/// held or driven, so that no spring can disturb it.
+inline constexpr std::uint8_t bodyNode = 8, listedNode = 16, imposedNode = 32;
 
 /// Advances nodes of one patch alone, on which nothing acts but its elements: what NodePass does
 /// for them, to the last bit, but in the patch's kernel, which has them at hand.
@@ -25,7 +26,8 @@ struct InteriorNodes {
     const Motion* inverseMass;
     const std::uint8_t* fixed; ///< nodes with any bit stay as they are
     std::size_t nodeStride;
-    Work* force; ///< internal, planes like the others; only of nodes of one patch
+    Work* force; ///< internal, in planes of their own: only of nodes of one patch
+    std::size_t forceStride;
 
     /// Nodes first ... first + count - 1.
     template <class Team>
@@ -38,7 +40,7 @@ struct InteriorNodes {
         for (int c = 0; c < 3; ++c) {
             Position* x = position + c * nodeStride + first;
             Motion* v = velocity + c * nodeStride + first;
-            const Work* f = force + c * nodeStride + first;
+            const Work* f = force + c * forceStride + first;
             team.forEach(count, [=](Index i) {
                 const bool moves = others[i] == 0;
                 const Motion next =

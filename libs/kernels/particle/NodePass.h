@@ -45,7 +45,9 @@ struct NodePass {
     const Motion* inverseMass;
     std::size_t nodeStride;
     const Work* interiorForce;     ///< of the elements, three planes: nodes of one patch
-    const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR
+    std::size_t interiorEnd;       ///< how far the planes are apart: no such node from here on
+    std::size_t firstBoundaryNode; ///< all before it are such nodes
+    const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR from there on
     const Index* partialSums;
     const Work* partialForce;  ///< x y z and one unused value each
     const std::uint8_t* fixed; ///< bits 0..2: component held at zero velocity; bodyNode: left alone
@@ -92,7 +94,8 @@ struct NodePass {
     FPM_KERNEL void askForForces(Index number) const
     {
         const std::size_t node = std::size_t(number);
-        for (Index k = partialSumsStart[node]; k < partialSumsStart[node + 1]; ++k)
+        const Rows sums = partialSumsOf(node);
+        for (Index k = sums.first; k < sums.last; ++k)
             prefetch(partialForce + 4 * std::size_t(partialSums[k]));
         if (contactNode && contactNode[node] >= 0)
             prefetch(contactForce + 4 * std::size_t(contactNode[node]));
@@ -104,12 +107,12 @@ struct NodePass {
     /// Internal force of the elements on a node (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
-        const Index first = partialSumsStart[node], last = partialSumsStart[node + 1];
-        if (first == last)
-            return {Motion(interiorForce[node]), Motion(interiorForce[nodeStride + node]),
-                    Motion(interiorForce[2 * nodeStride + node])};
+        const Rows sums = partialSumsOf(node);
+        if (sums.first == sums.last)
+            return {Motion(interiorForce[node]), Motion(interiorForce[interiorEnd + node]),
+                    Motion(interiorForce[2 * interiorEnd + node])};
         Vec3<Motion> sum{0, 0, 0};
-        for (Index k = first; k < last; ++k) {
+        for (Index k = sums.first; k < sums.last; ++k) {
             const Work* part = partialForce + 4 * std::size_t(partialSums[k]);
             sum += {Motion(part[0]), Motion(part[1]), Motion(part[2])};
         }
@@ -197,6 +200,16 @@ struct NodePass {
     }
 
 private:
+    struct Rows {
+        Index first, last;
+    };
+    FPM_KERNEL Rows partialSumsOf(std::size_t node) const
+    {
+        if (node < firstBoundaryNode) return {0, 0};
+        const Index* start = partialSumsStart + (node - firstBoundaryNode);
+        return {start[0], start[1]};
+    }
+
     template <class Real>
     FPM_KERNEL Mat3<Real> ownAxes(std::size_t node) const
     {

@@ -81,16 +81,13 @@ private:
         PairView<DoublePrecision> pair{};
         pair.contactorCount = pair.nodeCount = 1;
         pair.faceCount = 2;
-        pair.targetCount = 6;
-        pair.contactor = pair.contactorNumber = &contactor_;
-        pair.faceNode = pair.faceNumber = faceNode_;
-        pair.faceTarget = faceTarget_;
+        pair.contactor = &contactor_;
+        pair.contactNumber = contactNumber_;
+        pair.faceNode = faceNode_;
+        pair.nextAround = nextAround_;
         pair.neighbour = neighbour_;
         pair.faceStiffness = faceStiffness_;
         pair.faceThickness = faceThickness_;
-        pair.target = target_;
-        pair.targetFaceStart = targetFaceStart_;
-        pair.targetFaces = targetFaces_;
         pair.ownNormal = ownNormal_;
         pair.face = &face_;
         pair.xi = &xi_;
@@ -115,15 +112,16 @@ private:
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
     Index contactor_ = 0, face_, storedFace_ = 0;
-    Index faceNode_[8]{1, 2, 5, 4, 2, 3, 6, 5}, faceTarget_[8]{0, 1, 4, 3, 1, 2, 5, 4},
-        neighbour_[8]{freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1},
-        target_[6]{1, 2, 3, 4, 5, 6}, targetFaceStart_[7]{0, 1, 3, 4, 5, 7, 8},
-        targetFaces_[8]{0, 0, 1, 1, 0, 0, 1, 1};
+    Index faceNode_[8]{1, 2, 5, 4, 2, 3, 6, 5}, contactNumber_[7]{0, 1, 2, 3, 4, 5, 6},
+        nextAround_[8]{0, 4, 7, 3, 1, 5, 6, 2},
+        neighbour_[8]{freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1};
+
     double faceStiffness_[2]{normalStiffness, normalStiffness}, faceThickness_[2]{10, 10},
-        ownNormal_[3]{}, xi_ = 0, eta_ = 0, force_[3]{}, overlap_ = 0, stored_[2]{}, spring_ = 0,
-                         dissipated_ = 0, position_[21]{}, velocity_[21]{};
+        xi_ = 0, eta_ = 0, overlap_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0,
+        position_[21]{}, velocity_[21]{};
+    float ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
-    std::int64_t counts_[pairCounts]{};
+    std::int64_t counts_[pairCounts]{}, force_[BlockForce::values]{};
 };
 
 /// Skew, warped faces with a valley between them, and a contactor below.

@@ -9,6 +9,12 @@
 namespace fpm {
 namespace {
 
+/// All nodes are contact nodes.
+void numberNodes(SolverData& data, Index count)
+{
+    for (Index node = 0; node < count; ++node) data.contactNumber.push_back(node);
+}
+
 /// Four surfaces of `blocks` blocks of contact nodes each; 0 on 1, and 2 on 3.
 SolverData twoPairs(double reach, Index blocks)
 {
@@ -20,10 +26,11 @@ SolverData twoPairs(double reach, Index blocks)
         p.reach = reach;
         p.nodeCount = size;
         for (Index i = 0; i < size; ++i) {
-            p.contactorNumber.push_back(2 * pair * size + i);
-            p.faceNumber.push_back((2 * pair + 1) * size + i);
+            p.contactor.push_back(2 * pair * size + i);
+            p.faceNode.push_back((2 * pair + 1) * size + i);
         }
     }
+    numberNodes(data, 4 * size);
     return data;
 }
 
@@ -145,9 +152,10 @@ TEST(SearchSchedule, CornersOfALargeFaceAreNearWhateverIsOverIt)
     PairData& pair = data.pairs[0];
     pair.reach = 1;
     pair.nodeCount = 2 * travelBlock;
-    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactorNumber.push_back(i);
-    pair.faceNumber = {2 * travelBlock, 2 * travelBlock + 1, 3 * travelBlock, 3 * travelBlock + 1};
+    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
+    pair.faceNode = {2 * travelBlock, 2 * travelBlock + 1, 3 * travelBlock, 3 * travelBlock + 1};
     const std::size_t count = std::size_t(4 * travelBlock);
+    numberNodes(data, 4 * travelBlock);
     SearchSchedule::Positions positions(3 * count);
     for (std::size_t i = 0; i < std::size_t(2 * travelBlock); ++i) positions[i] = 50;
     positions[std::size_t(3 * travelBlock)] = positions[std::size_t(3 * travelBlock) + 1] = 100;

@@ -147,6 +147,20 @@ TEST(Search, FacesFindsItsWayBesideAStrayNode)
     EXPECT_GE(scene.faceOf(2), 0);
 }
 
+TEST(Search, FacesAroundACornerAreToldInOneOrderWhicheverOfThemIsAsked)
+{
+    const Grid faces = sheet(5, 0, 1, 1);
+    SearchScene scene(faces.points, faces.faces, {{0, 0, 1}});
+    for (std::size_t face = 0; face < faces.faces.size(); ++face)
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            std::vector<Index> all;
+            for (std::size_t other = 0; other < faces.faces.size(); ++other)
+                for (const Index node : faces.faces[other])
+                    if (node == faces.faces[face][corner]) all.push_back(Index(other));
+            EXPECT_EQ(scene.around(Index(face), int(corner)), all);
+        }
+}
+
 struct Particle {
     double degrees, aspect;
     bool loses;

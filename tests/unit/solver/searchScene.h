@@ -43,8 +43,6 @@ public:
         }
         data_.nodeCount = Index(queries.size());
         data_.ownFaceStart.assign(queries.size() + 1, 0); // no faces of their own: no filter
-        data_.contactorNumber.assign(queries.size(), 0);
-        data_.faceNumber.assign(data_.faceNode.size(), 0);
         state_.emplace(data_);
         upload();
     }
@@ -85,6 +83,15 @@ public:
         return best;
     }
 
+    std::vector<Index> around(Index face, int corner)
+    {
+        std::vector<Index> out;
+        view().visitAround(face, corner, [&](Index other) {
+            out.push_back(other);
+            return true;
+        });
+        return out;
+    }
     Index faceOf(Index query) const { return state_->face.data()[query]; }
     double squareTo(Index query, Index face)
     {

@@ -1,0 +1,165 @@
+#pragma once
+
+#include "kernels/contact/FootFaces.h"
+#include "kernels/contact/Tracking.h"
+
+namespace fpm {
+
+/// Where a contactor is tracked: face and foot on it.
+template <class Work>
+struct Place {
+    Index face;
+    Work xi, eta;
+};
+
+/// Measures how far a contactor slips along the target in a step, for friction.
+template <class Precision>
+struct Slip {
+    using Work = typename Precision::Work;
+    using Faces = FootFaces<Precision>;
+    const PairView<Precision>& pair;
+    Index i;
+
+    /// Movement of the contactor against the face in this step.
+    FPM_KERNEL Vec3<Work> relativeWay(Index face, const Projection<Work>& at) const
+    {
+        Work n[4];
+        shapeFunctions(at.xi, at.eta, n);
+        Vec3<Work> relative = pair.velocityOf(pair.contactor[i]);
+        for (int k = 0; k < 4; ++k)
+            relative = relative - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
+        return Work(pair.clock->step) * relative;
+    }
+    /// Way of the contactor as the target sees it, which turns, since it was at `last`. `corners`:
+    /// of its face now. Only its part along the surface is meant.
+    FPM_KERNEL Vec3<Work>
+    way(const Tracked<Work>& now, const FaceCorners<Work>& corners, const Place<Work>& last) const
+    {
+        Vec3<Work> way = wayOver(now, corners, last);
+        if (Faces::isOnBorder(now.at.xi, now.at.eta) || Faces::isOnBorder(last.xi, last.eta))
+            way += wayBeyond(now, corners, last);
+        return way;
+    }
+
+    /// Whether alongMirrors may change anything.
+    FPM_KERNEL bool mayMirror(const Tracked<Work>& now) const
+    {
+        return now.ridge || pair.mirrorsOf(i) || Faces::isOnBorder(now.at.xi, now.at.eta);
+    }
+    /// A tangential vector without what points out of the planes of symmetry that the contactor
+    /// lies on, of the model, inside a ridge or midway in a valley where it stays: there friction
+    /// and its image cancel.
+    FPM_KERNEL Vec3<Work> alongMirrors(const Tracked<Work>& now, const Vec3<Work>& vector) const
+    {
+        Vec3<Work> out = vector;
+        const auto remove = [&](const Vec3<Work>& across) {
+            const Vec3<Work> part = inPlane(across, now.at.normal);
+            const Work square = dot(part, part);
+            if (square > 0) out = out - (dot(out, part) / square) * part;
+        };
+        for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
+            if (mirrors >> k & 1) remove(pair.mirror(k));
+        if (now.ridge) {
+            const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
+            for (int k = 1; k < faces.count; ++k)
+                if (faces.adjacent[k]) remove(faces.normal[0] - faces.normal[k]);
+        } else if (Faces::isOnBorder(now.at.xi, now.at.eta)) {
+            const Faces faces(pair, i, now.face, now.at.xi, now.at.eta);
+            const Vec3<Work> moved = relativeWay(now.face, now.at);
+            for (int k = 1; k < faces.count; ++k) {
+                const Vec3<Work> apart = faces.normal[0] - faces.normal[k];
+                if (isMidway(now.at.offset, moved, apart)
+                    && haveEdgeInCommon(pair, faces.face[0], faces.face[k]))
+                    remove(apart);
+            }
+        }
+        return out;
+    }
+
+private:
+    /// Whether the contactor lies in the plane midway between two faces and moves in it, to a share
+    /// of their angle and of its way that is more than rounding makes of a symmetric model while it
+    /// runs. `apart`: difference of their normals.
+    FPM_KERNEL static bool
+    isMidway(const Vec3<Work>& offset, const Vec3<Work>& moved, const Vec3<Work>& apart)
+    {
+        const Work share = sizeof(Work) == 8 ? Work(1e-5) : Work(1e-2), square = dot(apart, apart),
+                   out = dot(offset, apart), leaving = dot(moved, apart),
+                   most = share * share * square;
+        return square > negligibleSquare<Work>() && out * out < most * square * dot(offset, offset)
+               && !(leaving * leaving > most * dot(moved, moved));
+    }
+
+    /// Way of the foot plus gap times the change of the normal, both on the target as it lies now.
+    /// At an edge the normal is the mean of those of the faces that have it, so that half of what
+    /// it turns by there counts when the foot comes to the edge and half when it leaves. Inside a
+    /// ridge, where the other side becomes the nearer one, the foot leaps and the normal with it:
+    /// their sum does not.
+    FPM_KERNEL Vec3<Work> wayOver(const Tracked<Work>& now,
+                                  const FaceCorners<Work>& corners,
+                                  const Place<Work>& last) const
+    {
+        const Work xi = now.at.xi, eta = now.at.eta;
+        Vec3<Work> foot;
+        if (last.face == now.face) {
+            if (last.xi == xi && last.eta == eta) return {0, 0, 0};
+            foot = slipOnFace(corners, last.xi, last.eta, xi, eta);
+        } else
+            foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
+                   - offsetOn(corners, xi, eta);
+        const Vec3<Work> turn =
+            normalOf(now.face, xi, eta) - normalOf(last.face, last.xi, last.eta);
+        return foot + now.at.gap * turn;
+    }
+    FPM_KERNEL Vec3<Work> normalOf(Index face, Work xi, Work eta) const
+    {
+        return Faces(pair, i, face, xi, eta).meanNormal(pair);
+    }
+
+    /// Whether a place on a border of a face lies on a free edge.
+    FPM_KERNEL bool isOnRim(const Place<Work>& at) const
+    {
+        const Index* across = pair.neighbour + 4 * std::size_t(at.face);
+        return (at.xi * at.xi >= Work(1) && across[at.xi > 0 ? 1 : 3] == freeEdge)
+               || (at.eta * at.eta >= Work(1) && across[at.eta > 0 ? 2 : 0] == freeEdge);
+    }
+
+    /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
+    /// way that the foot does not make, as seen from the faces there.
+    FPM_KERNEL Vec3<Work> wayBeyond(const Tracked<Work>& now,
+                                    const FaceCorners<Work>& corners,
+                                    const Place<Work>& last) const
+    {
+        const Projection<Work>& at = now.at;
+        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
+                         trimmed = offset - at.offset; // what lies beyond where the surface ends
+        if (!(dot(trimmed, trimmed) > 0) && !isOnRim(last)) return {0, 0, 0};
+        const Faces here(pair, i, now.face, at.xi, at.eta),
+            there(pair, i, last.face, last.xi, last.eta);
+        Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
+        for (int k = 0; k < here.count; ++k) after += inPlane(offset, here.normal[k]);
+        for (int k = 0; k < there.count; ++k)
+            before += offsetBefore({there.face[k], there.xi[k], there.eta[k]});
+        return (Work(1) / Work(here.count)) * after - (Work(1) / Work(there.count)) * before;
+    }
+    /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
+    FPM_KERNEL Vec3<Work> offsetBefore(const Place<Work>& last) const
+    {
+        const FaceCorners<Work> now = pair.corners(last.face, pair.contactor[i]);
+        FaceCorners<Work> before = now;
+        const Vec3<Work> own = pair.velocityOf(pair.contactor[i]);
+        for (int k = 0; k < 4; ++k) {
+            const Index node = pair.faceNode[4 * std::size_t(last.face) + std::size_t(k)];
+            before.corner[k] =
+                before.corner[k] - Work(pair.clock->step) * (pair.velocityOf(node) - own);
+        }
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(before, last.xi, last.eta, offset, t1, t2);
+        const Vec3<Work> normal = unit(cross(t1, t2)), inside = inPlane(offset, normal);
+        evaluateFace(now, last.xi, last.eta, offset, t1, t2);
+        return FaceFrame<Work>(now).vector(FaceFrame<Work>(before).components(inside, normal),
+                                           unit(cross(t1, t2)));
+    }
+};
+
+} // namespace fpm
