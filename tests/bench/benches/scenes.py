@@ -146,7 +146,7 @@ def ways(machine, options):
             chosen += [Variant("cuda", 0, "", precision),
                        Variant("cuda", 0, "", precision, contact=False)]
         chosen.append(Variant("cuda", 0, "", "double", "paper"))
-    return chosen
+    return [variant for variant in chosen if variant.algorithm in options.algorithms]
 
 
 def ladder(machine, options):
