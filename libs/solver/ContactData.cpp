@@ -3,6 +3,7 @@
 #include "kernels/contact/PairView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
+#include "solver/MirrorPlanes.h"
 #include "solver/PenaltyData.h"
 
 #include <algorithm>
@@ -111,33 +112,21 @@ bool differ(const std::vector<double>& stiffness)
     return *most > (1 + 1e-9) * *least;
 }
 
-/// The direction that a plane of symmetry holds.
-Point normalOf(const BoundaryCondition& mirror)
-{
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (mirror.constrains[axis]) return mirror.axes[axis];
-    return mirror.axes[0];
-}
-
 /// On a plane of symmetry a surface does not end: its other half goes on there.
-void continueAtMirrors(PairData& pair, const Model& model)
+void continueAtMirrors(PairData& pair, const std::vector<MirrorPlane>& planes)
 {
-    for (const BoundaryCondition& condition : model.boundaryConditions) {
-        if (!condition.mirror) continue;
-        const Index plane = Index(pair.mirrorNormal.size() / 3);
-        const Point normal = normalOf(condition);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+        const Point& normal = planes[plane].normal;
         pair.mirrorNormal.insert(pair.mirrorNormal.end(), normal.begin(), normal.end());
-        std::vector<bool> onPlane(model.mesh.points.size());
-        for (const Index node : condition.nodes) onPlane[std::size_t(node)] = true;
         for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
             const std::size_t first = edge / 4 * 4;
             const auto lies = [&](std::size_t corner) {
-                return onPlane[std::size_t(pair.faceNode[first + corner % 4])];
+                return planes[plane].holds[std::size_t(pair.faceNode[first + corner % 4])];
             };
             // A face that lies in the plane as a whole has no edge that is its border.
             if (pair.neighbour[edge] == freeEdge && lies(edge) && lies(edge + 1)
                 && !(lies(edge + 2) && lies(edge + 3)))
-                pair.neighbour[edge] = mirrorEdge(plane);
+                pair.neighbour[edge] = mirrorEdge(Index(plane));
         }
     }
 }
@@ -176,7 +165,7 @@ PairData makePass(const SolverData& data,
     }
     out.meanFaceSize = std::sqrt(areas / double(target.size()));
     addTopology(out, model.mesh.points);
-    continueAtMirrors(out, model);
+    continueAtMirrors(out, mirrorPlanes(model));
     if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
     addComponents(out, model, pair, own, target);
     addPenalty(out, data, model, pair, own, target, share);

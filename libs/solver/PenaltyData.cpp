@@ -3,6 +3,7 @@
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "solver/ElementStep.h"
+#include "solver/MirrorPlanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,18 +63,15 @@ std::vector<double> ownStiffness(const Model& model,
 /// the stiffness, so that half a model meets as the whole one does.
 std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>& contactors)
 {
-    std::vector<std::uint8_t> planes(model.mesh.points.size(), 0), out;
-    unsigned bit = 1; // of more planes than there are bits the others are none
-    for (const BoundaryCondition& condition : model.boundaryConditions) {
-        if (!condition.mirror) continue;
-        for (const Index node : condition.nodes)
-            planes[std::size_t(node)] = std::uint8_t(planes[std::size_t(node)] | bit);
-        bit <<= 1;
-    }
+    const std::vector<MirrorPlane> planes = mirrorPlanes(model);
+    std::vector<std::uint8_t> out;
     bool any = false;
     for (const Index node : contactors) {
-        out.push_back(planes[std::size_t(node)]);
-        any |= out.back() > 0;
+        unsigned on = 0;
+        for (std::size_t plane = 0; plane < planes.size(); ++plane)
+            on |= unsigned(planes[plane].holds[std::size_t(node)]) << plane;
+        out.push_back(std::uint8_t(on));
+        any |= on > 0;
     }
     return any ? out : std::vector<std::uint8_t>{};
 }

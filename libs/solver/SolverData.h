@@ -36,7 +36,7 @@ struct PairData {
     double fadeTime = 0;   ///< > 0: for a time only
     std::vector<Index> contactor, ownFaceStart, ownFaces, ownFaceNode;
     std::vector<Index> faceNode, nextAround, neighbour;
-    std::vector<double> mirrorNormal; ///< [3 * k]: of the plane that mirrorEdge(k) lies on
+    std::vector<double> mirrorNormal; ///< [3 * k]: of plane k of mirrorPlanes, mirrorEdge(k)
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count

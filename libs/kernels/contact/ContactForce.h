@@ -146,10 +146,10 @@ private:
             law.storedFace[i] = face;
         }
         Vec3<Work> way = inPlane(measure.way(now, corners, origin), at.normal);
-        if (measure.mayMirror(now)) {
-            way = measure.alongMirrors(now, way);
-            const Vec3<Work> force = frame.vector(held, at.normal),
-                             left = measure.alongMirrors(now, force);
+        const AcrossMirrors<Work> across = measure.acrossMirrors(now);
+        if (across.count > 0) {
+            way = across.without(way);
+            const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);
             law.lose(i, dot(force, force) - dot(left, left), stiffness);
             held = frame.components(left, at.normal);
         }
@@ -176,10 +176,12 @@ private:
         if (!closed)
             loadStiffness(now.face, now.at.xi, now.at.eta, bound);
         else if (now.ridge)
-            loadRidge(i, now, force, rubbing, bound, own);
+            loadFaces(i, RidgeFaces<Precision>(pair, i, now.face, now.at), force, rubbing, bound,
+                      own);
         else if (pair.law.friction.acts()
                  && FootFaces<Precision>::isOnBorder(now.at.xi, now.at.eta))
-            loadBorder(i, now, force, rubbing, bound, own);
+            loadFaces(i, FootFaces<Precision>(pair, i, now.face, now.at.xi, now.at.eta), force,
+                      rubbing, bound, own);
         else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
@@ -188,32 +190,19 @@ private:
         }
         sums.addStiffness(number, double(bound));
     }
-    FPM_KERNEL void loadRidge(Index i,
-                              const Tracked<Work>& now,
+    /// Several faces have equal shares of the force and, on a border, of the couple.
+    template <class Faces>
+    FPM_KERNEL void loadFaces(Index i,
+                              const Faces& faces,
                               const Vec3<Work>& force,
                               const Vec3<Work>& rubbing,
                               Work bound,
                               std::int64_t (&own)[3]) const
     {
-        const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
         const Work part = Work(1) / Work(faces.count);
         for (int k = 0; k < faces.count; ++k)
             load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
                  part * faces.image(k, rubbing), part * bound, own);
-    }
-    /// On a border: every face has the same share of the couple, as of the normal.
-    FPM_KERNEL void loadBorder(Index i,
-                               const Tracked<Work>& now,
-                               const Vec3<Work>& force,
-                               const Vec3<Work>& rubbing,
-                               Work bound,
-                               std::int64_t (&own)[3]) const
-    {
-        const FootFaces<Precision> faces(pair, i, now.face, now.at.xi, now.at.eta);
-        const Work part = Work(1) / Work(faces.count);
-        for (int k = 0; k < faces.count; ++k)
-            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * force, part * rubbing,
-                 part * bound, own);
     }
     /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
     FPM_KERNEL void load(Index i,

@@ -41,6 +41,8 @@ struct FootFaces {
         }
         return mean;
     }
+    /// What a force in the first face is in another: they have it in common.
+    FPM_KERNEL const Vec3<Work>& image(int, const Vec3<Work>& force) const { return force; }
 
 private:
     FPM_KERNEL static bool isBorder(Work x) { return x * x >= Work(1); }

@@ -12,6 +12,27 @@ struct Place {
     Work xi, eta;
 };
 
+/// Directions of the tangential plane, two at most, normal to each other.
+template <class Work>
+struct AcrossMirrors {
+    Vec3<Work> direction[2];
+    int count = 0;
+
+    /// What of a vector lies in the plane with this normal and is new.
+    FPM_KERNEL void add(const Vec3<Work>& vector, const Vec3<Work>& normal)
+    {
+        const Vec3<Work> part = without(inPlane(vector, normal));
+        const Work square = dot(part, part);
+        if (count < 2 && square > negligibleSquare<Work>() * dot(vector, vector))
+            direction[count++] = (Work(1) / squareRoot(square)) * part;
+    }
+    FPM_KERNEL Vec3<Work> without(Vec3<Work> vector) const
+    {
+        for (int k = 0; k < count; ++k) vector = vector - dot(vector, direction[k]) * direction[k];
+        return vector;
+    }
+};
+
 /// Measures how far a contactor slips along the target in a step, for friction.
 template <class Precision>
 struct Slip {
@@ -41,28 +62,17 @@ struct Slip {
         return way;
     }
 
-    /// Whether alongMirrors may change anything.
-    FPM_KERNEL bool mayMirror(const Tracked<Work>& now) const
+    /// Where friction and its image cancel: directions out of the planes of symmetry that the
+    /// contactor lies on, of the model, inside a ridge or midway in a valley where it stays.
+    FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now) const
     {
-        return now.ridge || pair.mirrorsOf(i) || Faces::isOnBorder(now.at.xi, now.at.eta);
-    }
-    /// A tangential vector without what points out of the planes of symmetry that the contactor
-    /// lies on, of the model, inside a ridge or midway in a valley where it stays: there friction
-    /// and its image cancel.
-    FPM_KERNEL Vec3<Work> alongMirrors(const Tracked<Work>& now, const Vec3<Work>& vector) const
-    {
-        Vec3<Work> out = vector;
-        const auto remove = [&](const Vec3<Work>& across) {
-            const Vec3<Work> part = inPlane(across, now.at.normal);
-            const Work square = dot(part, part);
-            if (square > 0) out = out - (dot(out, part) / square) * part;
-        };
+        AcrossMirrors<Work> out;
         for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
-            if (mirrors >> k & 1) remove(pair.mirror(k));
+            if (mirrors >> k & 1) out.add(pair.mirror(k), now.at.normal);
         if (now.ridge) {
             const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
             for (int k = 1; k < faces.count; ++k)
-                if (faces.adjacent[k]) remove(faces.normal[0] - faces.normal[k]);
+                if (faces.adjacent[k]) out.add(faces.normal[0] - faces.normal[k], now.at.normal);
         } else if (Faces::isOnBorder(now.at.xi, now.at.eta)) {
             const Faces faces(pair, i, now.face, now.at.xi, now.at.eta);
             const Vec3<Work> moved = relativeWay(now.face, now.at);
@@ -70,7 +80,7 @@ struct Slip {
                 const Vec3<Work> apart = faces.normal[0] - faces.normal[k];
                 if (isMidway(now.at.offset, moved, apart)
                     && haveEdgeInCommon(pair, faces.face[0], faces.face[k]))
-                    remove(apart);
+                    out.add(apart, now.at.normal);
             }
         }
         return out;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace fpm::test {
 namespace {
 
@@ -56,6 +58,31 @@ TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
             EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
                         1e-6 * whole->energies().friction);
         }
+}
+
+/// However many conditions a plane of symmetry is told in, it is one plane.
+TEST(Mirror, APlaneInManyConditionsIsOne)
+{
+    const auto once = startedSolver(strike(true, 1, 0.3));
+    Model model = strike(true, 1, 0.3);
+    BoundaryCondition& mirror = model.boundaryConditions.back();
+    const std::vector<Index> nodes = mirror.nodes;
+    for (const char* part : {"upper", "lower"})
+        for (int n = 0; n < 6; ++n) {
+            BoundaryCondition more = model.boundaryConditions.back();
+            more.nodes.clear();
+            for (const Index node : nodesOfPart(model.mesh, part))
+                if (std::binary_search(nodes.begin(), nodes.end(), node))
+                    more.nodes.push_back(node);
+            model.boundaryConditions.push_back(more);
+        }
+    model.boundaryConditions.erase(model.boundaryConditions.begin() + 1); // the whole plane's
+    const auto parts = startedSolver(model);
+    once->advance(1, 100);
+    parts->advance(1, 100);
+    EXPECT_GT(std::abs(once->pairForce(0).force[2]), 500);
+    EXPECT_EQ(once->pairForce(0).force, parts->pairForce(0).force);
+    EXPECT_EQ(once->energies().friction, parts->energies().friction);
 }
 
 } // namespace
