@@ -42,8 +42,11 @@ struct PairState {
     Of<CellEntry> entries;
     Of<Index> frictionFace, searchBlocks;
     Of<std::uint8_t> mayMeet, around, shared, mirrors;
-    Of<float> ownNormal;
-    Of<Work> mirrorNormal, faceStiffness, faceThickness, xi, eta, friction, overlap;
+    Of<std::int16_t> ownNormal;
+    Of<Work> mirrorNormal, faceStiffness;
+    Of<float> faceThickness;
+    Of<Work> xi, eta, friction;
+    Of<float> overlap;
     Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
     Of<std::int64_t> force;  ///< of faces, see BlockForce
     Of<double> surfaceForce; ///< of an analytic surface on each contactor
@@ -83,7 +86,7 @@ struct PairState {
           ownNormal(3 * std::size_t(pair.nodeCount)),
           mirrorNormal(converted<Work>(pair.mirrorNormal)),
           faceStiffness(converted<Work>(pair.faceStiffness)),
-          faceThickness(converted<Work>(pair.faceThickness)),
+          faceThickness(converted<float>(pair.faceThickness)),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
           friction(rubs(pair) ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size() : 0),
@@ -210,14 +213,15 @@ struct PairState {
               &contactorComponent, &face, &head, &frictionFace, &searchBlocks})
             sum += array->bytes();
         for (const Of<Work>* array :
-             {&mirrorNormal, &faceStiffness, &faceThickness, &xi, &eta, &friction, &overlap,
-              &contactorStiffness, &contactorMass, &faceMass, &heldStiffness})
+             {&mirrorNormal, &faceStiffness, &xi, &eta, &friction, &contactorStiffness,
+              &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
         for (const Of<double>* array :
              {&surfaceForce, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
             sum += array->bytes();
         for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
             sum += array->bytes();
+        for (const Of<float>* array : {&faceThickness, &overlap}) sum += array->bytes();
         return sum + force.bytes() + entries.bytes() + ownNormal.bytes() + counts.bytes();
     }
 };

@@ -137,7 +137,7 @@ struct DeviceState {
           massRatio(converted<Work>(data.massRatio)),
           state(data.stateSize),
           interiorForce(3 * std::size_t(data.interiorEnd)),
-          partialForce(4 * std::size_t(data.partialSumCount)),
+          partialForce(3 * std::size_t(data.partialSumCount)),
           plasticStrain(data.strainCount),
           position(planes<Position>(points)),
           velocity(planes<Motion>(data.velocity)),

@@ -196,9 +196,9 @@ void ExplicitSolver<Precision, Executor>::measureOverlaps()
                                                                pair.cells(data_.pairs[pass]),
                                                                pair.overlap.data()});
         executor_.synchronize();
-        const std::vector<Work> depths = pair.overlap.toHost();
+        const std::vector<float> depths = pair.overlap.toHost();
         if (!data_.pairs[pass].forgives)
-            executor_.parallelFor(count, Fill<Work>{pair.overlap.data(), Work(0)});
+            executor_.parallelFor(count, Fill<float>{pair.overlap.data(), 0.f});
         executor_.parallelFor(pairCounts, Fill<std::int64_t>{pair.counts.data(), 0});
         PairOverlap& found = overlaps_[data_.pairs[pass].pair];
         for (std::size_t i = 0; i < depths.size(); ++i) {

@@ -28,7 +28,7 @@ std::size_t bytesFor(const SolverData& data)
                    + 2 * (std::size_t(layout.size()) * work + std::size_t(layout.sums()) * sum));
             bytes += slots * (position + motion);
             // Sums at nodes of this patch alone are kept, the others' are partial sums.
-            bytes += own * 2 * 3 * work + (slots - own) * (2 * 4 * work + 2 * sizeof(Index));
+            bytes += slots * 2 * 3 * work + (slots - own) * 2 * sizeof(Index);
         }
     // Patches of one shape share their tables.
     bytes += sizeof(std::uint16_t)

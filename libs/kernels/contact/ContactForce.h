@@ -13,6 +13,7 @@ namespace fpm {
 template <class Precision>
 struct ContactForce {
     using Work = typename Precision::Work;
+    using Faces = FootFaces<Precision>;
     PairView<Precision> pair;
     CellLists cells;
 
@@ -66,7 +67,7 @@ private:
             open(i, stiffness, way);
             return;
         }
-        if (-at.gap > pair.faceThickness[face]) {
+        if (-at.gap > Work(pair.faceThickness[face])) {
             pair.face[i] = releasedFace;
             atomicAdd64(pair.counts + countReleased, 1);
             open(i, stiffness, way);
@@ -75,13 +76,15 @@ private:
         const Work gap = relievedGap(pair, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
         Vec3<Work> rubbing{0, 0, 0};
+        const bool rubs = gap < 0 && pair.law.friction.acts();
+        const Faces here = rubs ? Faces(pair, i, face, at) : Faces();
         if (gap < 0) {
             const Work pressed =
                 pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
-            if (pair.law.friction.acts()) {
-                const Vec3<Work> along = tangential(i, now, origin, stiffness, pressed, held);
+            if (rubs) {
+                const Vec3<Work> along = tangential(i, now, here, origin, stiffness, pressed, held);
                 force += along;
                 if (!pair.law.friction.paper) rubbing = along;
             }
@@ -89,7 +92,7 @@ private:
             if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, way);
-        share(i, now, gap < 0, force, rubbing, stiffness, total);
+        share(i, now, gap < 0, here, force, rubbing, stiffness, total);
     }
 
     /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
@@ -118,10 +121,11 @@ private:
     }
 
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
-    /// contactor has come from another one, that face as it lies now hands it over. `held`: the
-    /// force as it is stored.
+    /// contactor has come from another one, that face as it lies now hands it over. `here`: the
+    /// faces at its foot; `held`: the force as it is stored.
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      const Tracked<Work>& now,
+                                     const Faces& here,
                                      const Place<Work>& origin,
                                      Work stiffness,
                                      Work pressed,
@@ -145,8 +149,8 @@ private:
             }
             law.storedFace[i] = face;
         }
-        Vec3<Work> way = inPlane(measure.way(now, corners, origin), at.normal);
-        const AcrossMirrors<Work> across = measure.acrossMirrors(now);
+        Vec3<Work> way = inPlane(measure.way(now, here, corners, origin), at.normal);
+        const AcrossMirrors<Work> across = measure.acrossMirrors(now, here);
         if (across.count > 0) {
             way = across.without(way);
             const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);
@@ -158,12 +162,13 @@ private:
         return frame.vector(held, at.normal);
     }
 
-    /// Forces on the target, and the contactor's as minus their exact sum. `rubbing`: what of the
-    /// force has a couple. The stiffness of every spring within reach enters the bound of the step
-    /// before it closes.
+    /// Forces on the target, and the contactor's as minus their exact sum. `here`: the faces at its
+    /// foot, none without friction. `rubbing`: what of the force has a couple. The stiffness of
+    /// every spring within reach enters the bound of the step before it closes.
     FPM_KERNEL void share(Index i,
                           const Tracked<Work>& now,
                           bool closed,
+                          const Faces& here,
                           const Vec3<Work>& force,
                           const Vec3<Work>& rubbing,
                           Work stiffness,
@@ -178,10 +183,8 @@ private:
         else if (now.ridge)
             loadFaces(i, RidgeFaces<Precision>(pair, i, now.face, now.at), force, rubbing, bound,
                       own);
-        else if (pair.law.friction.acts()
-                 && FootFaces<Precision>::isOnBorder(now.at.xi, now.at.eta))
-            loadFaces(i, FootFaces<Precision>(pair, i, now.face, now.at.xi, now.at.eta), force,
-                      rubbing, bound, own);
+        else if (here.count > 1)
+            loadFaces(i, here, force, rubbing, bound, own);
         else
             load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
         if (closed) {
@@ -274,7 +277,6 @@ struct ContactLimit {
         team.barrier();
         double* out = blockLimit + number;
         team.forEach(1, [=](Index) { *out = -blockMinimumResult(partial); });
-        team.barrier();
     }
 };
 

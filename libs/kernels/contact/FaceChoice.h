@@ -38,7 +38,7 @@ FPM_KERNEL bool isPartner(const PairView<Precision>& pair,
         || outsideRange(x[0].z, x[1].z, x[2].z, x[3].z, margin) || !pair.mayTouch(i, face))
         return false;
     const FacePoint<Work> point = closestPoint(corners, Work(0), Work(0));
-    const Work depth = Work(0.5) * pair.faceThickness[face];
+    const Work depth = Work(0.5) * Work(pair.faceThickness[face]);
     const bool inReach = point.square <= pair.reach * pair.reach;
     if (!inReach && !(point.square <= depth * depth)) return false;
     if (looksAway(pair, i, gapAt(corners, point.xi, point.eta).normal)) return false;

@@ -17,15 +17,28 @@ struct FootFaces {
     Vec3<Work> normal[most]; ///< at the foot, on the face as it lies now
     int count = 0;
 
+    FPM_KERNEL FootFaces() {} ///< none
+
     FPM_KERNEL
     FootFaces(const PairView<Precision>& pair, Index i, Index first, Work atXi, Work atEta)
     {
         add(pair, i, first, atXi, atEta);
-        const bool onXi = isBorder(atXi), onEta = isBorder(atEta);
-        if (onXi && onEta)
-            addCorner(pair, i, atXi > 0 ? (atEta > 0 ? 2 : 1) : (atEta > 0 ? 3 : 0));
-        else if (onXi || onEta)
-            addEdge(pair, i, onXi ? edgeAtXi(atXi) : edgeAtEta(atEta));
+        if (isOnBorder(atXi, atEta)) addOthers(pair, i, atXi, atEta);
+    }
+    /// At the foot of a projection; inside a face its normal is that of the face.
+    FPM_KERNEL
+    FootFaces(const PairView<Precision>& pair, Index i, Index first, const Projection<Work>& at)
+    {
+        if (isOnBorder(at.xi, at.eta)) {
+            add(pair, i, first, at.xi, at.eta);
+            addOthers(pair, i, at.xi, at.eta);
+            return;
+        }
+        face[0] = first;
+        xi[0] = at.xi;
+        eta[0] = at.eta;
+        normal[0] = at.normal;
+        count = 1;
     }
     FPM_KERNEL static bool isOnBorder(Work xi, Work eta) { return isBorder(xi) || isBorder(eta); }
 
@@ -48,6 +61,13 @@ private:
     FPM_KERNEL static bool isBorder(Work x) { return x * x >= Work(1); }
     FPM_KERNEL static int edgeAtXi(Work x) { return x > 0 ? 1 : 3; }
     FPM_KERNEL static int edgeAtEta(Work x) { return x > 0 ? 2 : 0; }
+    FPM_KERNEL void addOthers(const PairView<Precision>& pair, Index i, Work atXi, Work atEta)
+    {
+        if (isBorder(atXi) && isBorder(atEta))
+            addCorner(pair, i, atXi > 0 ? (atEta > 0 ? 2 : 1) : (atEta > 0 ? 3 : 0));
+        else
+            addEdge(pair, i, isBorder(atXi) ? edgeAtXi(atXi) : edgeAtEta(atEta));
+    }
 
     FPM_KERNEL static Vec3<Work>
     onMirror(const PairView<Precision>& pair, Index face, int edge, const Vec3<Work>& vector)

@@ -9,7 +9,7 @@ template <class Precision>
 struct MeasureOverlap {
     PairView<Precision> pair;
     CellLists cells;
-    typename Precision::Work* depth; ///< [contactorCount]
+    float* depth; ///< [contactorCount]
 
     FPM_KERNEL void operator()(Index i) const
     {
@@ -17,7 +17,7 @@ struct MeasureOverlap {
         depth[i] = 0;
         if (pair.face[i] < 0) return;
         const Tracked<Work> now = FaceTracker<Precision>{pair, cells}.follow(i);
-        if (!now.beyond && now.at.gap < 0) depth[i] = -now.at.gap;
+        if (!now.beyond && now.at.gap < 0) depth[i] = notLess(-now.at.gap);
     }
 };
 
@@ -31,23 +31,22 @@ FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
                                                 typename Precision::Work stiffness)
 {
     using Work = typename Precision::Work;
-    Work forgiven = pair.overlap[i];
+    Work forgiven = Work(pair.overlap[i]);
     if (!(forgiven > 0)) return gap;
     const Work before = forgiven, depth = gap < 0 ? -gap : Work(0);
     if (depth < forgiven) forgiven = depth;
     const double left = pair.fadeTime - pair.clock->time, since = left + pair.clock->step;
-    if (!pair.injected || !(since > 0)) { // found after the fade
-        pair.overlap[i] = forgiven;
-        return gap + forgiven;
-    }
-    forgiven = left > 0 ? forgiven * Work(left / since) : Work(0);
+    const bool fades = pair.injected && since > 0; // not where it is found after the fade
+    if (fades) forgiven = left > 0 ? forgiven * Work(left / since) : Work(0);
+    pair.overlap[i] = notLess(forgiven);
+    forgiven = Work(pair.overlap[i]); // as the next step will know it
+    if (!fades) return gap + forgiven;
     double& last = pair.injected[pair.contactorCount + i];
     if (!(pair.clock->step > 0)) last = double(gap);
     const double was = last + double(before) < 0 ? last + double(before) : 0,
                  is = double(gap + forgiven), way = double(gap) - last;
     pair.injected[i] += 0.5 * double(stiffness) * (is * is - was * was - (is + was) * way);
     last = double(gap);
-    pair.overlap[i] = forgiven;
     return gap + forgiven;
 }
 

@@ -38,8 +38,20 @@ enum PairCount {
 /// more than 60 degrees, or across a gap, so that hops might not find the nearest.
 enum Around : std::uint8_t { aroundFlat, aroundCurved, aroundIntricate };
 
+/// Only asked which way it looks, the normal of a contactor's own faces is kept in two bytes a
+/// component.
+inline constexpr int ownNormalScale = 32767;
+
 /// Bodies (parts) that one contactor may touch at once.
 inline constexpr int maxSlots = 3;
+
+/// A float that is not less than `value`, which is not negative.
+template <class Work>
+FPM_KERNEL float notLess(Work value)
+{
+    const float near = float(value);
+    return Work(near) < value ? near * (1 + 0x1p-23f) : near;
+}
 
 /// One contact pair on the device: contactor nodes against quadrilateral target faces. Arrays over
 /// contactors and faces; vectors in three planes `contactorCount` apart. Where a node may touch
@@ -66,7 +78,7 @@ struct PairView {
     const Work* mirrorNormal;    ///< [3 * k]: unit normals of the planes of symmetry
     const std::uint8_t* mirrors; ///< planes a contactor lies on, a bit each; null: none
     const Work* faceStiffness;   ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
-    const Work* faceThickness;   ///< V / A
+    const float* faceThickness;  ///< V / A
     const Work* faceMass;        ///< of its lightest free corner, for contact damping
     const Index* targetCorner;   ///< a corner of a face at each target node, as in nextAround: the
                                  ///< first; only for `search closestParticle`
@@ -78,13 +90,14 @@ struct PairView {
     const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all may
     Index components;
 
-    float* ownNormal; ///< unit mean normal of the contactor's own faces at the last search
+    std::int16_t* ownNormal; ///< unit mean normal of the contactor's own faces at the last search,
+                             ///< in parts of ownNormalScale
     Index* face;
     Work *xi, *eta;
     std::uint8_t* around; ///< what the last search found around it, as Around
     std::int64_t* force;  ///< on each block of contactors this step, see BlockForce
     std::int64_t* counts; ///< as PairCount
-    Work* overlap;        ///< depth at which it was found, that makes no force
+    float* overlap;       ///< depth at which it was found, that makes no force
     Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
     double* injected;     ///< work of overlaps that fade with time; null: they do not
     double fadeTime;      ///< > 0: over which they do
@@ -142,7 +155,7 @@ struct PairView {
     /// half its thickness, also after half a reach of the face's own way.
     FPM_KERNEL Work margin(Index number) const
     {
-        const Work deep = Work(0.5) * (faceThickness[number] + reach);
+        const Work deep = Work(0.5) * (Work(faceThickness[number]) + reach);
         return deep > reach ? deep : reach;
     }
     FPM_KERNEL Index componentOf(Index number) const
@@ -169,8 +182,16 @@ struct PairView {
     FPM_KERNEL Vec3<Work> ownNormalOf(Index i) const
     {
         const Index base = i % nodeCount;
-        return {Work(ownNormal[base]), Work(ownNormal[nodeCount + base]),
-                Work(ownNormal[2 * nodeCount + base])};
+        const Work scale = Work(1) / Work(ownNormalScale);
+        return {scale * Work(ownNormal[base]), scale * Work(ownNormal[nodeCount + base]),
+                scale * Work(ownNormal[2 * nodeCount + base])};
+    }
+    FPM_KERNEL void setOwnNormal(Index base, const Vec3<Work>& unit) const
+    {
+        const Work values[3] = {unit.x, unit.y, unit.z}, scale = Work(ownNormalScale);
+        for (int c = 0; c < 3; ++c)
+            ownNormal[c * nodeCount + base] =
+                std::int16_t(scale * values[c] + (values[c] < 0 ? Work(-0.5) : Work(0.5)));
     }
 };
 

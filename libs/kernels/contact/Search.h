@@ -26,9 +26,7 @@ struct ContactorNormal {
         }
         const Work length = squareRoot(dot(sum, sum));
         const Work scale = length > Work(0.2) * count ? Work(1) / length : Work(0);
-        pair.ownNormal[i] = float(scale * sum.x);
-        pair.ownNormal[pair.nodeCount + i] = float(scale * sum.y);
-        pair.ownNormal[2 * pair.nodeCount + i] = float(scale * sum.z);
+        pair.setOwnNormal(i, scale * sum);
     }
 };
 
@@ -99,7 +97,7 @@ private:
     /// was let go: to push it out would create the energy of the spring, so its depth is forgiven.
     FPM_KERNEL void forgive(Index i, Work gap) const
     {
-        pair.overlap[i] = gap < 0 ? -gap : Work(0);
+        pair.overlap[i] = gap < 0 ? notLess(-gap) : 0.f;
         if (gap < 0) atomicAdd64(pair.counts + countInside, 1);
     }
     FPM_KERNEL void update(Index i, const Candidate<Work>& found, bool touching) const

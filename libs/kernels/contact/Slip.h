@@ -52,19 +52,21 @@ struct Slip {
         return Work(pair.clock->step) * relative;
     }
     /// Way of the contactor as the target sees it, which turns, since it was at `last`. `corners`:
-    /// of its face now. Only its part along the surface is meant.
-    FPM_KERNEL Vec3<Work>
-    way(const Tracked<Work>& now, const FaceCorners<Work>& corners, const Place<Work>& last) const
+    /// of its face now; `here`: the faces at its foot. Only its part along the surface is meant.
+    FPM_KERNEL Vec3<Work> way(const Tracked<Work>& now,
+                              const Faces& here,
+                              const FaceCorners<Work>& corners,
+                              const Place<Work>& last) const
     {
-        Vec3<Work> way = wayOver(now, corners, last);
+        Vec3<Work> way = wayOver(now, here, corners, last);
         if (Faces::isOnBorder(now.at.xi, now.at.eta) || Faces::isOnBorder(last.xi, last.eta))
-            way += wayBeyond(now, corners, last);
+            way += wayBeyond(now, here, corners, last);
         return way;
     }
 
     /// Where friction and its image cancel: directions out of the planes of symmetry that the
     /// contactor lies on, of the model, inside a ridge or midway in a valley where it stays.
-    FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now) const
+    FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
         AcrossMirrors<Work> out;
         for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
@@ -73,13 +75,12 @@ struct Slip {
             const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
             for (int k = 1; k < faces.count; ++k)
                 if (faces.adjacent[k]) out.add(faces.normal[0] - faces.normal[k], now.at.normal);
-        } else if (Faces::isOnBorder(now.at.xi, now.at.eta)) {
-            const Faces faces(pair, i, now.face, now.at.xi, now.at.eta);
+        } else if (here.count > 1) {
             const Vec3<Work> moved = relativeWay(now.face, now.at);
-            for (int k = 1; k < faces.count; ++k) {
-                const Vec3<Work> apart = faces.normal[0] - faces.normal[k];
+            for (int k = 1; k < here.count; ++k) {
+                const Vec3<Work> apart = here.normal[0] - here.normal[k];
                 if (isMidway(now.at.offset, moved, apart)
-                    && haveEdgeInCommon(pair, faces.face[0], faces.face[k]))
+                    && haveEdgeInCommon(pair, here.face[0], here.face[k]))
                     out.add(apart, now.at.normal);
             }
         }
@@ -106,6 +107,7 @@ private:
     /// ridge, where the other side becomes the nearer one, the foot leaps and the normal with it:
     /// their sum does not.
     FPM_KERNEL Vec3<Work> wayOver(const Tracked<Work>& now,
+                                  const Faces& here,
                                   const FaceCorners<Work>& corners,
                                   const Place<Work>& last) const
     {
@@ -117,13 +119,8 @@ private:
         } else
             foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
                    - offsetOn(corners, xi, eta);
-        const Vec3<Work> turn =
-            normalOf(now.face, xi, eta) - normalOf(last.face, last.xi, last.eta);
-        return foot + now.at.gap * turn;
-    }
-    FPM_KERNEL Vec3<Work> normalOf(Index face, Work xi, Work eta) const
-    {
-        return Faces(pair, i, face, xi, eta).meanNormal(pair);
+        const Faces there(pair, i, last.face, last.xi, last.eta);
+        return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
     }
 
     /// Whether a place on a border of a face lies on a free edge.
@@ -137,6 +134,7 @@ private:
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the faces there.
     FPM_KERNEL Vec3<Work> wayBeyond(const Tracked<Work>& now,
+                                    const Faces& here,
                                     const FaceCorners<Work>& corners,
                                     const Place<Work>& last) const
     {
@@ -144,8 +142,7 @@ private:
         const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
                          trimmed = offset - at.offset; // what lies beyond where the surface ends
         if (!(dot(trimmed, trimmed) > 0) && !isOnRim(last)) return {0, 0, 0};
-        const Faces here(pair, i, now.face, at.xi, at.eta),
-            there(pair, i, last.face, last.xi, last.eta);
+        const Faces there(pair, i, last.face, last.xi, last.eta);
         Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
         for (int k = 0; k < here.count; ++k) after += inPlane(offset, here.normal[k]);
         for (int k = 0; k < there.count; ++k)

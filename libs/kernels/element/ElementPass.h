@@ -56,7 +56,7 @@ struct ElementPass {
     const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
     Work* state;           ///< tiles of the part's StateLayout
     Sum* plasticStrain;    ///< likewise, with the rises of temperature
-    Work* partialForce;    ///< of other than interior nodes, 4 values each
+    Work* partialForce;    ///< of other than interior nodes, x y z each
     double* patchEnergy;   ///< [patch][elementEnergies], running sums
     double* patchStep;     ///< [patch], stable step
     const StepClock* clock;
@@ -97,7 +97,6 @@ struct ElementPass {
             else
                 *step = blockMinimumResult(partial + k * blockSumLanes);
         });
-        team.barrier();
     }
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
@@ -363,7 +362,7 @@ private:
         const std::uint16_t* entries = slotCorners + patch.slotCorners;
         const Index interior = patch.interiorCount;
         Work* inside = nodes.force + patch.firstNode;
-        Work* others = partialForce + 4 * (std::size_t(patch.firstPartialSum) - interior);
+        Work* others = partialForce + 3 * (std::size_t(patch.firstPartialSum) - interior);
         const std::size_t planes = nodes.forceStride;
         team.forEach(patch.nodeCount, [=](Index i) {
             Work x = 0, y = 0, z = 0;
@@ -374,7 +373,7 @@ private:
                 y += f[patchCapacity];
                 z += f[2 * patchCapacity];
             }
-            Work* out = i < interior ? inside + i : others + 4 * i;
+            Work* out = i < interior ? inside + i : others + 3 * i;
             const std::size_t next = i < interior ? planes : 1;
             out[0] = x;
             out[next] = y;

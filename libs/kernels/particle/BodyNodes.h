@@ -42,7 +42,6 @@ struct BodyForces {
         team.barrier();
         double* out = sums + std::size_t(number) * bodySums;
         team.forEach(bodySums, [=](Index k) { out[k] = blockSumResult(partial, k); });
-        team.barrier();
     }
 
 private:
@@ -94,7 +93,6 @@ struct BodySum {
         });
         team.barrier();
         team.forEach(1, [&](Index) { close(number, partial); });
-        team.barrier();
     }
 
 private:

@@ -39,7 +39,6 @@ struct ClockPass {
                     contactSquare = partial[blockSumLanes + lane];
             advanceClock(*out, how, blockMinimumResult(partial), contactSquare);
         });
-        team.barrier();
     }
 };
 

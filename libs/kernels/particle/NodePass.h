@@ -49,7 +49,7 @@ struct NodePass {
     std::size_t firstBoundaryNode; ///< all before it are such nodes
     const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR from there on
     const Index* partialSums;
-    const Work* partialForce;  ///< x y z and one unused value each
+    const Work* partialForce;  ///< x y z each
     const std::uint8_t* fixed; ///< bits 0..2: component held at zero velocity; bodyNode: left alone
     const Index* contactNode;  ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
@@ -86,7 +86,6 @@ struct NodePass {
         team.barrier();
         double* sums = blockWork + std::size_t(block) * nodeWorks;
         team.forEach(nodeWorks, [=](Index k) { sums[k] += blockSumResult(partial, k); });
-        team.barrier();
     }
 
     FPM_KERNEL Index nodeOf(Index entry) const { return list ? list[entry] : entry; }
@@ -96,7 +95,7 @@ struct NodePass {
         const std::size_t node = std::size_t(number);
         const Rows sums = partialSumsOf(node);
         for (Index k = sums.first; k < sums.last; ++k)
-            prefetch(partialForce + 4 * std::size_t(partialSums[k]));
+            prefetch(partialForce + 3 * std::size_t(partialSums[k]));
         if (contactNode && contactNode[node] >= 0)
             prefetch(contactForce + 4 * std::size_t(contactNode[node]));
     }
@@ -113,7 +112,7 @@ struct NodePass {
                     Motion(interiorForce[2 * interiorEnd + node])};
         Vec3<Motion> sum{0, 0, 0};
         for (Index k = sums.first; k < sums.last; ++k) {
-            const Work* part = partialForce + 4 * std::size_t(partialSums[k]);
+            const Work* part = partialForce + 3 * std::size_t(partialSums[k]);
             sum += {Motion(part[0]), Motion(part[1]), Motion(part[2])};
         }
         return sum;

@@ -88,7 +88,6 @@ struct KineticEnergy {
         team.barrier();
         double* out = blockEnergy + 2 * block;
         team.forEach(2, [=](Index k) { out[k] = blockSumResult(partial, k); });
-        team.barrier();
     }
 
 private:

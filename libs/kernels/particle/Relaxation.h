@@ -45,7 +45,6 @@ struct RelaxationNodes {
         team.barrier();
         double* out = blockSum + std::size_t(block) * relaxationSums;
         team.forEach(relaxationSums, [=](Index k) { out[k] = blockSumResult(partial, k); });
-        team.barrier();
     }
 
 private:
@@ -150,7 +149,6 @@ struct RelaxationClock {
             for (Index i = 0; i < count; ++i) addBody(body[i], out->step, total);
             relax(*out, how, total);
         });
-        team.barrier();
     }
 
     /// `total`: the sums in their order, then the energy stored.

@@ -15,7 +15,7 @@ class Crowd
 {
 public:
     Crowd(Index faces, double width, std::uint32_t lists, Index levels)
-        : thickness_(std::size_t(faces), 0.1),
+        : thickness_(std::size_t(faces), 0.1f),
           head_(std::size_t(lists + std::uint32_t(levels)) + 1, -1),
           entries_(std::size_t(faces)),
           cells{head_.data(), entries_.data(), lists - 1, 0.5, levels}
@@ -76,7 +76,8 @@ public:
 
 private:
     std::vector<std::array<double, 3>> points_;
-    std::vector<double> position_, thickness_;
+    std::vector<double> position_;
+    std::vector<float> thickness_;
     std::vector<Index> faceNode_, head_;
     std::vector<CellEntry> entries_;
 

@@ -116,10 +116,11 @@ private:
         nextAround_[8]{0, 4, 7, 3, 1, 5, 6, 2},
         neighbour_[8]{freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1};
 
-    double faceStiffness_[2]{normalStiffness, normalStiffness}, faceThickness_[2]{10, 10},
-        xi_ = 0, eta_ = 0, overlap_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0,
-        position_[21]{}, velocity_[21]{};
-    float ownNormal_[3]{};
+    double faceStiffness_[2]{normalStiffness, normalStiffness},
+        xi_ = 0, eta_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0, position_[21]{},
+        velocity_[21]{};
+    float faceThickness_[2]{10, 10}, overlap_ = 0;
+    std::int16_t ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
     std::int64_t counts_[pairCounts]{}, force_[BlockForce::values]{};
 };
