@@ -60,6 +60,8 @@ private:
     template <class Material, class Hourglass>
     void elementPass(std::size_t group);
     void contactPasses();
+    template <bool friction>
+    void facesForce(std::size_t pass);
     void searchContact();
     void searchOne(const SearchSchedule::Due& due);
     void shareContactNodes(std::size_t pass);

@@ -49,19 +49,27 @@ SurfaceForce<Precision> ExplicitSolver<Precision, Executor>::surfaceForce(std::s
 }
 
 template <class Precision, class Executor>
+template <bool friction>
+void ExplicitSolver<Precision, Executor>::facesForce(std::size_t pass)
+{
+    executor_.parallelBlocks(NodeBlocks::blocks(Index(state_.pairs[pass].contactor.size())), 0,
+                             ContactForce<Precision, friction>{
+                                 pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
+}
+
+template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::contactPasses()
 {
     executor_.parallelFor(Index(state_.contactSum.size()),
                           ClearContactSum{state_.contactSum.data(), state_.clock.data()});
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
         const Index contactors = Index(state_.pairs[pass].contactor.size());
-        using Force = ContactForce<Precision>;
         if (data_.pairs[pass].surface >= 0)
             executor_.parallelFor(contactors, surfaceForce(pass));
+        else if (state_.pairs[pass].rubs(data_.pairs[pass]))
+            facesForce<true>(pass);
         else
-            executor_.parallelBlocks(
-                NodeBlocks::blocks(contactors), 0,
-                Force{pairView(pass), state_.pairs[pass].cells(data_.pairs[pass])});
+            facesForce<false>(pass);
     }
     using Limit = ContactLimit<typename Precision::Motion>;
     const Limit limit{

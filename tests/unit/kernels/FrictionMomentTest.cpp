@@ -103,7 +103,7 @@ private:
         pair.clock = &clock_;
         pair.reach = 1;
         pair.law = law_;
-        ContactForce<DoublePrecision>{pair, {}}(CpuTeam<64>(nullptr), 0);
+        ContactForce<DoublePrecision, true>{pair, {}}(CpuTeam<64>(nullptr), 0);
     }
 
     std::vector<V> x_, v_;
