@@ -48,6 +48,7 @@ Erosion::Erosion(const Model& model) : neighbours_(neighboursOf(model.mesh))
     model_.mesh = model.mesh;
     model_.parts = model.parts;
     model_.contactPairs = model.contactPairs;
+    model_.boundaryConditions = model.boundaryConditions;
     for (const ContactPair& pair : model_.contactPairs)
         original_.push_back({pair.name, pair.contactorNodes,
                              surfacesOf(model.mesh, pair.name).contactorSides, pair.targetSides});

@@ -23,7 +23,7 @@ public:
 private:
     Index neighbour(const ElementSide& side) const;
 
-    Model model_;                           ///< mesh, parts and pairs, with the present surfaces
+    Model model_; ///< mesh, parts, conditions and pairs, with the present surfaces
     std::vector<ContactSurfaces> original_; ///< as model_.contactPairs
     std::vector<Index> neighbours_;         ///< [element][side], -1: outside or another part
 };

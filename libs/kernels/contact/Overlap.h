@@ -31,23 +31,26 @@ FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
                                                 typename Precision::Work stiffness)
 {
     using Work = typename Precision::Work;
-    Work forgiven = Work(pair.overlap[i]);
-    if (!(forgiven > 0)) return gap;
-    const Work before = forgiven, depth = gap < 0 ? -gap : Work(0);
-    if (depth < forgiven) forgiven = depth;
-    const double left = pair.fadeTime - pair.clock->time, since = left + pair.clock->step;
-    const bool fades = pair.injected && since > 0; // not where it is found after the fade
-    if (fades) forgiven = left > 0 ? forgiven * Work(left / since) : Work(0);
-    pair.overlap[i] = notLess(forgiven);
-    forgiven = Work(pair.overlap[i]); // as the next step will know it
-    if (!fades) return gap + forgiven;
+    if (!(pair.overlap[i] > 0)) return gap;
+    const Work whole = Work(pair.overlap[i]), depth = gap < 0 ? -gap : Work(0);
+    const double before = pair.clock->time - pair.clock->step;
+    const bool fades = before < pair.fadeTime; // not where it is found after the fade
+    const Work share =
+        pair.clock->time < pair.fadeTime || !fades ? pair.forgivenShare(pair.clock->time) : Work(0);
+    if (!(share > 0))
+        pair.overlap[i] = 0;
+    else if (depth < share * whole)
+        pair.overlap[i] = notLess(depth / share);
+    const Work relieved = gap + share * Work(pair.overlap[i]);
+    if (!fades) return relieved;
     double& last = pair.injected[pair.contactorCount + i];
     if (!(pair.clock->step > 0)) last = double(gap);
-    const double was = last + double(before) < 0 ? last + double(before) : 0,
-                 is = double(gap + forgiven), way = double(gap) - last;
+    const double forgiven = double(pair.forgivenShare(before) * whole);
+    const double was = last + forgiven < 0 ? last + forgiven : 0,
+                 is = relieved < 0 ? double(relieved) : 0, way = double(gap) - last;
     pair.injected[i] += 0.5 * double(stiffness) * (is * is - was * was - (is + was) * way);
     last = double(gap);
-    return gap + forgiven;
+    return relieved;
 }
 
 } // namespace fpm

@@ -97,7 +97,7 @@ struct PairView {
     std::uint8_t* around; ///< what the last search found around it, as Around
     std::int64_t* force;  ///< on each block of contactors this step, see BlockForce
     std::int64_t* counts; ///< as PairCount
-    float* overlap;       ///< depth at which it was found, that makes no force
+    float* overlap;       ///< depth at which it was found, of which forgivenShare makes no force
     Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
     double* injected;     ///< work of overlaps that fade with time; null: they do not
     double fadeTime;      ///< > 0: over which they do
@@ -157,6 +157,11 @@ struct PairView {
     {
         const Work deep = Work(0.5) * (Work(faceThickness[number]) + reach);
         return deep > reach ? deep : reach;
+    }
+    /// What is left of depths that fade; all of those that are found later.
+    FPM_KERNEL Work forgivenShare(double time) const
+    {
+        return time < fadeTime ? Work((fadeTime - time) / fadeTime) : Work(1);
     }
     FPM_KERNEL Index componentOf(Index number) const
     {

@@ -4,15 +4,20 @@
 
 namespace fpm {
 
-/// Whether squares of distances to two faces are equal: but for a share that is more than rounding
-/// makes of a symmetric model while it runs, and for the rounding of positions. `size`: square of a
-/// face's diagonal.
+/// Share of a quantity by which a symmetric model departs from its symmetry while it runs: more
+/// than rounding makes of it.
+template <class Work>
+FPM_KERNEL constexpr Work symmetryShare()
+{
+    return sizeof(Work) == 8 ? Work(1e-5) : Work(1e-4);
+}
+/// Whether squares of distances to two faces are equal but for that share and for the rounding of
+/// positions. `size`: square of a face's diagonal.
 template <class Work>
 FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
 {
-    constexpr bool fine = sizeof(Work) == 8;
-    const Work share = fine ? Work(1e-5) : Work(1e-2), rounding = fine ? Work(1e-20) : Work(1e-12),
-               apart = other - here;
+    constexpr Work share = symmetryShare<Work>();
+    const Work rounding = sizeof(Work) == 8 ? Work(1e-20) : Work(1e-12), apart = other - here;
     return apart * apart < here * (share * share * here + rounding * size);
 }
 /// Whether the nearest points of two faces are two, not one on their common edge: offsets of the

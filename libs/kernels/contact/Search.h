@@ -97,8 +97,11 @@ private:
     /// was let go: to push it out would create the energy of the spring, so its depth is forgiven.
     FPM_KERNEL void forgive(Index i, Work gap) const
     {
-        pair.overlap[i] = gap < 0 ? notLess(-gap) : 0.f;
-        if (gap < 0) atomicAdd64(pair.counts + countInside, 1);
+        pair.overlap[i] = 0;
+        if (!(gap < 0)) return;
+        pair.overlap[i] =
+            notLess(pair.fadeTime > 0 ? -gap / pair.forgivenShare(pair.clock->time) : -gap);
+        atomicAdd64(pair.counts + countInside, 1);
     }
     FPM_KERNEL void update(Index i, const Candidate<Work>& found, bool touching) const
     {

@@ -65,40 +65,55 @@ struct Slip {
     }
 
     /// Where friction and its image cancel: directions out of the planes of symmetry that the
-    /// contactor lies on, of the model, inside a ridge or midway in a valley where it stays.
+    /// contactor lies on, of the model, and where it stays in them inside a ridge or midway in a
+    /// valley.
     FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
         AcrossMirrors<Work> out;
         for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
             if (mirrors >> k & 1) out.add(pair.mirror(k), now.at.normal);
-        if (now.ridge) {
-            const RidgeFaces<Precision> faces(pair, i, now.face, now.at);
-            for (int k = 1; k < faces.count; ++k)
-                if (faces.adjacent[k]) out.add(faces.normal[0] - faces.normal[k], now.at.normal);
-        } else if (here.count > 1) {
-            const Vec3<Work> moved = relativeWay(now.face, now.at);
-            for (int k = 1; k < here.count; ++k) {
-                const Vec3<Work> apart = here.normal[0] - here.normal[k];
-                if (isMidway(now.at.offset, moved, apart)
-                    && haveEdgeInCommon(pair, here.face[0], here.face[k]))
-                    out.add(apart, now.at.normal);
-            }
-        }
+        if (!now.ridge && here.count < 2) return out;
+        const Vec3<Work> moved = relativeWay(now.face, now.at);
+        if (now.ridge)
+            addMidway(RidgeFaces<Precision>(pair, i, now.face, now.at), now, moved, out);
+        else
+            addMidway(here, now, moved, out);
         return out;
     }
 
 private:
-    /// Whether the contactor lies in the plane midway between two faces and moves in it, to a share
-    /// of their angle and of its way that is more than rounding makes of a symmetric model while it
-    /// runs. `apart`: difference of their normals.
-    FPM_KERNEL static bool
-    isMidway(const Vec3<Work>& offset, const Vec3<Work>& moved, const Vec3<Work>& apart)
+    /// Of all planes midway between two faces with an edge in common.
+    template <class AnyFaces>
+    FPM_KERNEL void addMidway(const AnyFaces& faces,
+                              const Tracked<Work>& now,
+                              const Vec3<Work>& moved,
+                              AcrossMirrors<Work>& out) const
     {
-        const Work share = sizeof(Work) == 8 ? Work(1e-5) : Work(1e-2), square = dot(apart, apart),
-                   out = dot(offset, apart), leaving = dot(moved, apart),
-                   most = share * share * square;
-        return square > negligibleSquare<Work>() && out * out < most * square * dot(offset, offset)
-               && !(leaving * leaving > most * dot(moved, moved));
+        for (int k = 1; k < faces.count; ++k)
+            for (int j = 0; j < k; ++j) {
+                const Vec3<Work> apart = faces.normal[j] - faces.normal[k];
+                if ((now.ridge || isMidway(now.at.offset, apart)) && staysMidway(moved, apart)
+                    && haveEdgeInCommon(pair, faces.face[j], faces.face[k]))
+                    out.add(apart, now.at.normal);
+            }
+    }
+    /// Whether a movement lies in the plane midway between two faces. `apart`: difference of their
+    /// normals.
+    FPM_KERNEL static bool staysMidway(const Vec3<Work>& moved, const Vec3<Work>& apart)
+    {
+        return isNormal(moved, apart, Work(1));
+    }
+    /// Whether a place does, seen from their edge: to a share of their angle.
+    FPM_KERNEL static bool isMidway(const Vec3<Work>& offset, const Vec3<Work>& apart)
+    {
+        const Work square = dot(apart, apart);
+        return square > negligibleSquare<Work>() && isNormal(offset, apart, square);
+    }
+    FPM_KERNEL static bool isNormal(const Vec3<Work>& vector, const Vec3<Work>& to, Work square)
+    {
+        constexpr Work share = symmetryShare<Work>();
+        const Work out = dot(vector, to);
+        return !(out * out > share * share * square * dot(to, to) * dot(vector, vector));
     }
 
     /// Way of the foot plus gap times the change of the normal, both on the target as it lies now.

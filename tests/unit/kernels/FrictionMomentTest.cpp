@@ -17,15 +17,36 @@ using test::rotated;
 using test::size;
 constexpr double normalStiffness = 100, tangentialRatio = 0.5, step = 1e-3;
 
-/// One contactor, node 0, against faces of the nodes 1 to 6: 1 2 5 4 and 2 3 6 5.
+/// As in PairView.
+struct Faces {
+    std::vector<Index> faceNode, nextAround, neighbour;
+};
+/// Two side by side.
+Faces twoFaces()
+{
+    return {{1, 2, 5, 4, 2, 3, 6, 5},
+            {0, 4, 7, 3, 1, 5, 6, 2},
+            {freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1}};
+}
+
+/// One contactor, node 0, against faces.
 class OneContactor
 {
 public:
-    explicit OneContactor(double friction, std::vector<V> nodes, Index face = 0)
+    explicit OneContactor(double friction,
+                          std::vector<V> nodes,
+                          Index face = 0,
+                          Faces faces = twoFaces())
         : x_(std::move(nodes)),
           v_(x_.size(), V{0, 0, 0}),
+          position_(3 * x_.size()),
+          velocity_(3 * x_.size()),
+          faces_(std::move(faces)),
+          faceStiffness_(faces_.faceNode.size() / 4, normalStiffness),
+          faceThickness_(faces_.faceNode.size() / 4, 10),
           face_(face)
     {
+        for (Index node = 0; node < Index(x_.size()); ++node) contactNumber_.push_back(node);
         law_.count = 1;
         law_.stored = stored_;
         law_.storedFace = &storedFace_;
@@ -46,6 +67,16 @@ public:
             v_[i] = (1 / step) * way[i];
         }
         press();
+    }
+    /// Stores a tangential force.
+    void hold(const V& force)
+    {
+        const FaceCorners<double> corners = view().corners(face_, contactor_);
+        const V held =
+            FaceFrame<double>(corners).components(force, gapAtClosest(corners, xi_, eta_).normal);
+        stored_[0] = held.x;
+        stored_[1] = held.y;
+        storedFace_ = face_;
     }
     const std::vector<V>& nodes() const { return x_; }
     V force(std::size_t node) const
@@ -78,16 +109,20 @@ private:
                 velocity_[c * x_.size() + i] = c == 0 ? v_[i].x : c == 1 ? v_[i].y : v_[i].z;
             }
         sums_.assign(4 * x_.size(), 0);
+        ContactForce<DoublePrecision, true>{view(), {}}(CpuTeam<64>(nullptr), 0);
+    }
+    PairView<DoublePrecision> view()
+    {
         PairView<DoublePrecision> pair{};
         pair.contactorCount = pair.nodeCount = 1;
-        pair.faceCount = 2;
+        pair.faceCount = Index(faceStiffness_.size());
         pair.contactor = &contactor_;
-        pair.contactNumber = contactNumber_;
-        pair.faceNode = faceNode_;
-        pair.nextAround = nextAround_;
-        pair.neighbour = neighbour_;
-        pair.faceStiffness = faceStiffness_;
-        pair.faceThickness = faceThickness_;
+        pair.contactNumber = contactNumber_.data();
+        pair.faceNode = faces_.faceNode.data();
+        pair.nextAround = faces_.nextAround.data();
+        pair.neighbour = faces_.neighbour.data();
+        pair.faceStiffness = faceStiffness_.data();
+        pair.faceThickness = faceThickness_.data();
         pair.ownNormal = ownNormal_;
         pair.face = &face_;
         pair.xi = &xi_;
@@ -96,30 +131,29 @@ private:
         pair.force = force_;
         pair.counts = counts_;
         pair.overlap = &overlap_;
-        pair.position = position_;
-        pair.velocity = velocity_;
+        pair.position = position_.data();
+        pair.velocity = velocity_.data();
         pair.nodeStride = x_.size();
         pair.sums = {sums_.data(), scale_, true, nullptr};
         pair.clock = &clock_;
         pair.reach = 1;
         pair.law = law_;
-        ContactForce<DoublePrecision, true>{pair, {}}(CpuTeam<64>(nullptr), 0);
+        return pair;
     }
 
     std::vector<V> x_, v_;
+    std::vector<double> position_, velocity_;
+    Faces faces_;
+    std::vector<double> faceStiffness_;
+    std::vector<float> faceThickness_;
+    std::vector<Index> contactNumber_;
     PairLaw<double> law_{};
     StepClock clock_;
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
     Index contactor_ = 0, face_, storedFace_ = 0;
-    Index faceNode_[8]{1, 2, 5, 4, 2, 3, 6, 5}, contactNumber_[7]{0, 1, 2, 3, 4, 5, 6},
-        nextAround_[8]{0, 4, 7, 3, 1, 5, 6, 2},
-        neighbour_[8]{freeEdge, 7, freeEdge, freeEdge, freeEdge, freeEdge, freeEdge, 1};
-
-    double faceStiffness_[2]{normalStiffness, normalStiffness},
-        xi_ = 0, eta_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0, position_[21]{},
-        velocity_[21]{};
-    float faceThickness_[2]{10, 10}, overlap_ = 0;
+    double xi_ = 0, eta_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0;
+    float overlap_ = 0;
     std::int16_t ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
     std::int64_t counts_[pairCounts]{}, force_[BlockForce::values]{};
@@ -252,6 +286,33 @@ TEST(FrictionMoment, ItDoesNotMatterWhichOfTwoFacesTheFootIsTrackedOn)
     }
 }
 
+/// A pocket of three walls, in whose corner a contactor lies midway between two of them.
+TEST(FrictionMoment, ItDoesNotMatterWhichOfThreeFacesTheFootIsTrackedOn)
+{
+    const Faces walls{
+        {1, 2, 3, 4, 1, 5, 6, 2, 1, 4, 7, 5},
+        {4, 7, 2, 9, 8, 11, 6, 1, 0, 3, 10, 5},
+        {7, freeEdge, freeEdge, 8, 11, freeEdge, freeEdge, 0, 3, freeEdge, freeEdge, 4}};
+    const std::vector<V> nodes{{-0.5, -0.5, -0.25}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0},
+                               {0, 2, 0},           {0, 0, 2}, {2, 0, 2}, {0, 2, 2}};
+    std::vector<OneContactor> pairs; // they point at themselves
+    pairs.reserve(3);
+    for (const Index face : {0, 1, 2}) pairs.emplace_back(0.05, nodes, face, walls);
+    for (OneContactor& pair : pairs) {
+        pair.hold({0.1, -0.1, 0});
+        pair.move(std::vector<V>(nodes.size(), V{0, 0, 0}));
+    }
+    EXPECT_GT(pairs[0].lost(), 0);
+    EXPECT_LT(std::abs(pairs[0].force(0).x - pairs[0].force(0).y), 1e-9);
+    for (Index face = 0; face < 3; ++face) {
+        const OneContactor& pair = pairs[std::size_t(face)];
+        EXPECT_EQ(pair.face(), face);
+        EXPECT_NEAR(pair.lost(), pairs[0].lost(), 1e-9) << face;
+        for (std::size_t node = 0; node < nodes.size(); ++node)
+            EXPECT_LT(size(pair.force(node) - pairs[0].force(node)), 1e-9) << face;
+    }
+}
+
 TEST(FrictionMoment, NodesWorkThroughAValleyIsLostOrStored)
 {
     // Deep below a valley the foot waits in it while the contactor goes on, 0.2 of the way here.
@@ -270,6 +331,28 @@ TEST(FrictionMoment, NodesWorkThroughAValleyIsLostOrStored)
         EXPECT_EQ(rough.face(), direction > 0 ? 1 : 0);
         EXPECT_NEAR(rough.lost() + rough.held(), work, 0.01 * work);
     }
+}
+
+TEST(FrictionMoment, WhoCrossesARidgeKeepsWhatIsStored)
+{
+    // At one step it is as near to both faces, as a contactor on a plane of symmetry would be.
+    const double rise = -0.4, side = 0x1p-8;
+    OneContactor pair(10, {{2 - 4 * side, 0.8, -0.5},
+                           {0, 0, rise},
+                           {2, 0, 0},
+                           {4, 0, rise},
+                           {0, 2, rise},
+                           {2, 2, 0},
+                           {4, 2, rise}});
+    std::vector<V> way(7, V{0, 0, 0});
+    way[0] = {side, 0, 0};
+    for (int n = 0; n < 8; ++n) {
+        const double held = pair.held();
+        pair.move(way);
+        EXPECT_GT(pair.held(), held) << n; // it sticks
+    }
+    EXPECT_EQ(pair.face(), 1);
+    EXPECT_EQ(pair.lost(), 0);
 }
 
 } // namespace

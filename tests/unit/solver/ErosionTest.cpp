@@ -1,5 +1,6 @@
 #include "solver/Erosion.h"
 
+#include "kernels/contact/PairView.h"
 #include "unit/solver/kindScenes.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +116,26 @@ TEST(ErosionSurfaces, OnlyWhatChangedIsTakenAnew)
     EXPECT_TRUE(erosion.renewContact(data, deleted));
     EXPECT_TRUE(data.pairs[0].contactor.empty());
     EXPECT_FALSE(data.pairs[1].contactor.empty());
+}
+
+TEST(ErosionSurfaces, PlanesOfSymmetryStay)
+{
+    Model model = layers(1e5, 0.1);
+    model.boundaryConditions.push_back(
+        condition(BoundaryCondition::Kind::fixed, "mirror",
+                  nodesWhere(model.mesh, [](Point p) { return std::abs(p[0] - 3) < 1e-9; }),
+                  {true, false, false}));
+    model.boundaryConditions.back().mirror = true;
+    SolverData data = makeSolverData(model);
+    const auto mirrored = [](const PairData& pair) {
+        return std::ranges::count(pair.neighbour, mirrorEdge(0));
+    };
+    EXPECT_EQ(mirrored(data.pairs[0]), 6); // of the plate's top
+    Erosion erosion(model);
+    std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
+    deleted[std::size_t(elementAt(model.mesh, {2.5, -0.5, -0.25}))] = true; // on the plane
+    EXPECT_TRUE(erosion.renewContact(data, deleted));
+    EXPECT_EQ(mirrored(data.pairs[0]), 6 + 2); // its side is replaced by a floor and two walls
 }
 
 // The stamp goes through the plate, whose elements disappear one after the other, and lands on the

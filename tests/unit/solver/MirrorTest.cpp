@@ -1,3 +1,4 @@
+#include "solver/MirrorPlanes.h"
 #include "unit/solver/scenes.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,20 @@ TEST(Mirror, APlaneInManyConditionsIsOne)
     EXPECT_GT(std::abs(once->pairForce(0).force[2]), 500);
     EXPECT_EQ(once->pairForce(0).force, parts->pairForce(0).force);
     EXPECT_EQ(once->energies().friction, parts->energies().friction);
+}
+
+/// A layer held on both sides by one condition lies between two planes.
+TEST(Mirror, TwoPlanesInOneConditionAreTwo)
+{
+    Model model = strike(true, 1, 0.3);
+    model.boundaryConditions.back().nodes =
+        nodesWhere(model.mesh, [](Point p) { return p[0] == 0 || p[0] == 4; });
+    const std::vector<MirrorPlane> planes = mirrorPlanes(model);
+    ASSERT_EQ(planes.size(), 2U);
+    for (const MirrorPlane& plane : planes)
+        for (std::size_t node = 0; node < model.mesh.points.size(); ++node)
+            EXPECT_EQ(plane.holds[node],
+                      model.mesh.points[node][0] * plane.normal[0] == plane.distance);
 }
 
 } // namespace
