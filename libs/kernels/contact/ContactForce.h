@@ -10,7 +10,7 @@ namespace fpm {
 
 /// Tracks the face of one contactor, measures the gap and adds the penalty and friction forces to
 /// both sides (eqs. 15-18 of the paper; gap g = (x_c - x_p) . n). `friction`: a kernel of its own
-/// for pairs without, which on a GPU holds a third of the registers less.
+/// for pairs without, which on a GPU needs fewer registers (doc/performance.md).
 template <class Precision, bool friction>
 struct ContactForce {
     using Work = typename Precision::Work;

@@ -54,8 +54,7 @@ FPM_KERNEL float notLess(Work value)
 }
 
 /// One contact pair on the device: contactor nodes against quadrilateral target faces. Arrays over
-/// contactors and faces; vectors in three planes `contactorCount` apart. Where a node may touch
-/// several bodies at once it is several contactors.
+/// contactors and faces. Where a node may touch several bodies at once it is several contactors.
 template <class Precision>
 struct PairView {
     using Position = typename Precision::Position;
