@@ -34,9 +34,9 @@ FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
     if (!(pair.overlap[i] > 0)) return gap;
     const Work whole = Work(pair.overlap[i]), depth = gap < 0 ? -gap : Work(0);
     const double before = pair.clock->time - pair.clock->step;
-    const bool fades = before < pair.fadeTime; // not where it is found after the fade
+    const bool fades = pair.injected && before < pair.fadeTime; // not where it is found later
     const Work share =
-        pair.clock->time < pair.fadeTime || !fades ? pair.forgivenShare(pair.clock->time) : Work(0);
+        fades && pair.clock->time >= pair.fadeTime ? Work(0) : pair.forgivenShare(pair.clock->time);
     if (!(share > 0))
         pair.overlap[i] = 0;
     else if (depth < share * whole)
