@@ -59,8 +59,9 @@ std::vector<double> ownStiffness(const Model& model,
     return out;
 }
 
-/// The planes a contactor lies on, a bit each. On one it is half a node, on two a quarter: it gets as
-/// much of the stiffness and has no friction across, so that half a model meets as the whole one does.
+/// The planes a contactor lies on, a bit each. On one it is half a node, on two a quarter: it gets
+/// as much of the stiffness and has no friction across, so that half a model meets as the whole one
+/// does.
 std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>& contactors)
 {
     const std::vector<MirrorPlane> planes = mirrorPlanes(model);
