@@ -1,3 +1,4 @@
+#include "base/Error.h"
 #include "solver/MirrorPlanes.h"
 #include "unit/solver/scenes.h"
 
@@ -98,6 +99,23 @@ TEST(Mirror, TwoPlanesInOneConditionAreTwo)
         for (std::size_t node = 0; node < model.mesh.points.size(); ++node)
             EXPECT_EQ(plane.holds[node],
                       model.mesh.points[node][0] * plane.normal[0] == plane.distance);
+}
+
+/// A condition meant for a plane that holds a thick body is refused by its name.
+TEST(Mirror, MoreThanEightPlanesAreRefused)
+{
+    Model model;
+    addBox(model.mesh, "block", {1, 1, 8}, {0, 0, 0}, {1, 1, 8}); // nine layers of nodes
+    model.boundaryConditions.push_back(condition(BoundaryCondition::Kind::fixed, "flat",
+                                                 nodesOfPart(model.mesh, "block"),
+                                                 {false, false, true}));
+    model.boundaryConditions.back().mirror = true;
+    try {
+        mirrorPlanes(model);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("'flat'"), std::string::npos) << error.what();
+    }
 }
 
 } // namespace
