@@ -195,9 +195,9 @@ private:
         sums.addStiffness(number, double(bound));
     }
     /// Several faces have equal shares of the force and, on a border, of the couple.
-    template <class Faces>
+    template <class AnyFaces>
     FPM_KERNEL void loadFaces(Index i,
-                              const Faces& faces,
+                              const AnyFaces& faces,
                               const Vec3<Work>& force,
                               const Vec3<Work>& rubbing,
                               Work bound,

@@ -82,7 +82,7 @@ struct Slip {
     }
 
 private:
-    /// Of all planes midway between two faces with an edge in common.
+    /// Adds the directions out of the planes midway between faces with an edge in common.
     template <class AnyFaces>
     FPM_KERNEL void addMidway(const AnyFaces& faces,
                               const Tracked<Work>& now,

@@ -46,7 +46,7 @@ TEST(Overlap, ALongRampFallsInAStraightLine)
             EXPECT_NEAR(felt, rest.depth * n / steps, 1e-3 * rest.depth) << n;
         }
     }
-    EXPECT_NEAR(rest.injected[0], 0.5 * rest.depth * rest.depth, 1e-3);
+    EXPECT_NEAR(rest.injected[0], 0.5 * rest.depth * rest.depth, 1e-6);
 }
 
 } // namespace
