@@ -5,14 +5,15 @@
 
 namespace fpm {
 
-/// *target += value. Integer sums have no order, so the result is the same on every backend.
-FPM_KERNEL void atomicAdd64(std::int64_t* target, std::int64_t value)
+/// *target += value, and what was there. Integer sums have no order, so the result is the same on
+/// every backend.
+FPM_KERNEL std::int64_t atomicAdd64(std::int64_t* target, std::int64_t value)
 {
 #ifdef __CUDA_ARCH__
-    atomicAdd(reinterpret_cast<unsigned long long*>(target),
-              static_cast<unsigned long long>(value));
+    return std::int64_t(atomicAdd(reinterpret_cast<unsigned long long*>(target),
+                                  static_cast<unsigned long long>(value)));
 #else
-    __atomic_fetch_add(target, value, __ATOMIC_RELAXED);
+    return __atomic_fetch_add(target, value, __ATOMIC_RELAXED);
 #endif
 }
 

@@ -55,6 +55,8 @@ class CpuExecutor
 {
 public:
     using Team = CpuTeam<Bits>;
+    /// The host may read what the kernels wrote, without waiting.
+    static constexpr bool sharesMemory = true;
 
     CpuExecutor(int threads, std::size_t scratchBytes) : threads_(threads)
     {
@@ -112,10 +114,11 @@ public:
         return threads_ == 1;
     }
 
-    /// step() `count` times.
-    template <class Step>
-    void repeat(std::int64_t count, const Step& step) const
+    /// begin(), then step() `count` times.
+    template <class Begin, class Step>
+    void repeat(std::int64_t count, const Begin& begin, const Step& step) const
     {
+        begin();
         for (std::int64_t i = 0; i < count; ++i) step();
     }
     void forgetSteps() const {}

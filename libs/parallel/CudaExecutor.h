@@ -90,6 +90,7 @@ class CudaExecutor
 {
 public:
     using Team = CudaTeam;
+    static constexpr bool sharesMemory = false;
 
     CudaExecutor(int, std::size_t)
     {
@@ -124,20 +125,21 @@ public:
     static int threads() { return 0; }
     static Index firstBlock(int, Index) { return 0; }
 
-    /// step() `count` times. Full runs of graphSteps are recorded once as a graph and replayed, so
-    /// what step launches may not change until forgetSteps. One replay in samplePeriod is launched
-    /// plainly instead, to be timed.
-    template <class Step>
-    void repeat(std::int64_t count, const Step& step)
+    /// begin(), then step() `count` times. Full runs of graphSteps are recorded once as a graph and
+    /// replayed, so what they launch may not change until forgetSteps. One replay in samplePeriod
+    /// is launched plainly instead, to be timed.
+    template <class Begin, class Step>
+    void repeat(std::int64_t count, const Begin& begin, const Step& step)
     {
         const bool full = count == graphSteps;
         if (full && ++replays_ % samplePeriod != 1) {
-            if (!graph_) record(step);
+            if (!graph_) record(begin, step);
             checkCuda(cudaGraphLaunch(graph_.get(), stream_.get()), "graph launch");
             stepsDone_ += count;
             return;
         }
         sampling_ = full;
+        begin();
         for (std::int64_t i = 0; i < count; ++i) step();
         stepsDone_ += count;
         if (sampling_) {
@@ -213,10 +215,11 @@ private:
         checkCuda(cudaEventRecord(event, stream_.get()), "event");
         return owned;
     }
-    template <class Step>
-    void record(const Step& step)
+    template <class Begin, class Step>
+    void record(const Begin& begin, const Step& step)
     {
         checkCuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "graph");
+        begin();
         for (std::int64_t i = 0; i < graphSteps; ++i) step();
         cudaGraph_t graph = nullptr;
         checkCuda(cudaStreamEndCapture(stream_.get(), &graph), "graph");

@@ -40,7 +40,7 @@ struct PairState {
     Of<Index> contactor, ownFaceStart, ownFaces, ownFaceNode, faceNode, nextAround, neighbour;
     Of<Index> targetCorner, excludedStart, excluded, faceComponent, contactorComponent, face, head;
     Of<CellEntry> entries;
-    Of<Index> frictionFace, searchBlocks;
+    Of<Index> frictionFace;
     Of<std::uint8_t> mayMeet, around, shared, mirrors;
     Of<std::int16_t> ownNormal;
     Of<Work> mirrorNormal, faceStiffness;
@@ -79,7 +79,6 @@ struct PairState {
           face(std::vector<Index>(pair.contactor.size(), noFace)),
           frictionFace(
               std::vector<Index>(convectedFriction(pair) ? pair.contactor.size() : 0, noFace)),
-          searchBlocks(std::size_t(NodeBlocks::blocks(pair.nodeCount))),
           mayMeet(pair.mayMeet),
           around(pair.contactor.size()),
           mirrors(pair.mirrors),
@@ -210,7 +209,7 @@ struct PairState {
         for (const Of<Index>* array :
              {&contactor, &ownFaceStart, &ownFaces, &ownFaceNode, &faceNode, &nextAround,
               &neighbour, &targetCorner, &excludedStart, &excluded, &faceComponent,
-              &contactorComponent, &face, &head, &frictionFace, &searchBlocks})
+              &contactorComponent, &face, &head, &frictionFace})
             sum += array->bytes();
         for (const Of<Work>* array :
              {&mirrorNormal, &faceStiffness, &xi, &eta, &friction, &contactorStiffness,
@@ -226,8 +225,7 @@ struct PairState {
     }
 };
 
-/// Enters the target of a pass into its cells and finds the face of every contactor, or of those in
-/// some blocks.
+/// Enters the target of a pass into its cells and finds the face of every contactor that searches.
 template <class Precision, class Executor>
 void searchPass(Executor& executor,
                 const PairView<Precision>& view,
@@ -235,17 +233,26 @@ void searchPass(Executor& executor,
                 bool faces,
                 const NodeBlocks& blocks)
 {
-    const Index count = blocks.nodes(view.nodeCount);
-    executor.parallelFor(Index(cells.mask) + cells.levels + 2, Fill<Index>{cells.head, Index(-1)});
-    executor.parallelFor(count, InBlocks{blocks, view.nodeCount, ContactorNormal<Precision>{view}});
+    Index count = view.nodeCount;
+    if (blocks.due) {
+        count = NodeBlocks::size * NodeBlocks::blocks(count);
+        if constexpr (Executor::sharesMemory) count = NodeBlocks::size * Index(*blocks.due);
+    }
+    if (count == 0) return;
+    const auto overNodes = [&](const auto& kernel) {
+        executor.parallelFor(count, InBlocks{blocks, view.nodeCount, kernel});
+    };
+    const auto over = [&](Index all, const auto& kernel) {
+        executor.parallelFor(all, WhereSearched{blocks, kernel});
+    };
+    over(Index(cells.mask) + cells.levels + 2, Fill<Index>{cells.head, Index(-1)});
+    overNodes(ContactorNormal<Precision>{view});
     if (faces) {
-        executor.parallelFor(view.faceCount, InsertFace<Precision>{view, cells});
-        executor.parallelFor(count,
-                             InBlocks{blocks, view.nodeCount, FindFace<Precision>{view, cells}});
+        over(view.faceCount, InsertFace<Precision>{view, cells});
+        overNodes(FindFace<Precision>{view, cells});
     } else {
-        executor.parallelFor(view.targetCount, InsertTarget<Precision>{view, cells});
-        executor.parallelFor(
-            count, InBlocks{blocks, view.nodeCount, FindClosestParticle<Precision>{view, cells}});
+        over(view.targetCount, InsertTarget<Precision>{view, cells});
+        overNodes(FindClosestParticle<Precision>{view, cells});
     }
 }
 

@@ -30,6 +30,11 @@ void reportContact(Solver& solver, const Model& model, Log& log)
             log.warning(format("pair {}: {} times a node had more than three bodies in reach; it "
                                "was held by the nearest three",
                                name, force.crowded));
+        if (force.late > 0)
+            log.warning(format("pair {}: {} times blocks of contactors moved on further than their "
+                               "lists of faces reach before they searched again; set a smaller "
+                               "maximumTimeStep, or searchInterval 1",
+                               name, force.late));
         if (force.overEdge > 0)
             log.line(format("pair {}: {} times a contactor left the target over a free edge while "
                             "in touch",

@@ -2,6 +2,7 @@
 
 #include "kernels/particle/NodePass.h"
 #include "solver/ContactState.h"
+#include "solver/SearchState.h"
 
 namespace fpm {
 
@@ -122,6 +123,8 @@ struct DeviceState {
     Of<double> contactLimit, contactTravel, searchOrigin;
     Of<float> searchOffset;
     std::vector<PairState<Precision, Executor>> pairs;
+    std::vector<SearchState<Executor>> searches; ///< of the passes that search faces
+    Of<PassSearch> passSearches;
     Of<StepClock> clock;
 
     DeviceState(const SolverData& data, const std::vector<Point>& points)
@@ -178,6 +181,12 @@ struct DeviceState {
         patchStep.fromHost(std::vector<double>(data.patches.size(), 1e30));
     }
 
+    void setSearches(const NearBlocks& near)
+    {
+        searches.clear();
+        for (const NearBlocks::Pass& pass : near.passes()) searches.emplace_back(pass);
+        passSearches = Of<PassSearch>(searches.size());
+    }
     static std::size_t blocks(Index count)
     {
         return (std::size_t(count) + nodeBlock - 1) / nodeBlock;
@@ -208,6 +217,7 @@ struct DeviceState {
             + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
+        for (const auto& search : searches) sum += search.bytes();
         return sum;
     }
 };

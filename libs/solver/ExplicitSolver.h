@@ -11,7 +11,6 @@
 #include "solver/DeviceState.h"
 #include "solver/Erosion.h"
 #include "solver/PenaltyData.h"
-#include "solver/SearchSchedule.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
 
@@ -62,13 +61,16 @@ private:
     void contactPasses();
     template <bool friction>
     void facesForce(std::size_t pass);
-    void searchContact();
-    void searchOne(const SearchSchedule::Due& due);
-    void shareContactNodes(std::size_t pass);
-    SearchSchedule::Positions contactPositions() const;
-    void rememberPositions(const std::vector<SearchSchedule::Due>& searched);
+    void lookAtContact(Index steps);
+    void searchAll(const StepClock* clock);
+    void searchOne(std::size_t pass, const NodeBlocks& blocks);
+    void searchNow();
+    void arrangeContact(bool all);
+    void shareContactNodes(std::size_t place);
+    NearBlocks::Positions contactPositions() const;
+    void rememberPositions(const StepClock* clock);
     void measureOverlaps();
-    std::int64_t searchFor(const StepClock& now, std::int64_t steps);
+    void step();
     void loadPasses();
     void moveBodies();
     void followDeletions();
@@ -93,14 +95,17 @@ private:
     std::string description_;
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
+    double hostSearch_ = 0; ///< seconds of searches between steps, not sampled as the others are
     std::vector<PairOverlap> overlaps_; ///< of each pair of the model
     StepRules rules_;
-    bool ledger_, searches_ = false, searchesEveryStep_ = false;
+    bool ledger_;
+    /// When faces are searched: never, as lists last, every so many steps, or at each.
+    enum class Searching { never, lists, interval, everyStep } searching_ = Searching::never;
     double startEnergy_ = 0;
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
-    std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< given: 0 is not
-    SearchSchedule schedule_;                          ///< otherwise
+    std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< where it is given
+    NearBlocks nearBlocks_;
     std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
     Energies lost_;              ///< booked for contactors that are none any more
 };
@@ -127,21 +132,24 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.fixedStep = model.control.fixedTimeStep;
     rules_.beyondBound = model.control.beyondBound;
     searchInterval_ = model.control.searchInterval;
-    schedule_ = SearchSchedule(data_);
+    nearBlocks_ = NearBlocks(data_);
     if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
-    for (const PairData& pair : data_.pairs)
-        if (pair.surface < 0) {
-            searches_ = true;
-            searchesEveryStep_ |= pair.search == ContactSearch::closestParticle;
-        }
+    for (const NearBlocks::Pass& pass : nearBlocks_.passes())
+        if (data_.pairs[pass.number].search == ContactSearch::closestParticle)
+            searching_ = Searching::everyStep;
+        else if (searching_ == Searching::never)
+            searching_ = Searching::lists;
+    if (searching_ != Searching::never && searchInterval_ > 0) searching_ = Searching::interval;
+    if (searching_ == Searching::lists) state_.setSearches(nearBlocks_);
 }
 
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::start()
 {
-    if (searches_) {
-        searchContact();
+    if (searching_ != Searching::never) {
+        searchNow();
         measureOverlaps();
+        hostSearch_ = 0; // of steps is asked
     }
     computeForces();
     const Energies first = energies();
@@ -158,21 +166,46 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
     now.running = 1;
     state_.clock.fromHost({now});
     const std::int64_t last = now.steps + maxSteps;
-    while (now.running && !now.failed && now.time < time && now.steps < last) {
+    while (!now.failed && !now.settled && now.time < time && now.steps < last) {
         // The size of the first step is not known before it is made.
-        std::int64_t steps =
-            std::min(searchesEveryStep_ || now.step <= 0 ? 1 : batch, last - now.steps);
-        if (searches_) steps = searchFor(now, steps);
-        executor_.repeat(steps, [&] {
-            integrate();
-            computeForces();
-        });
+        std::int64_t steps = std::min(now.step <= 0 ? 1 : batch, last - now.steps);
+        if (searching_ == Searching::interval) {
+            if (now.steps >= nextSearch_) {
+                searchNow();
+                nextSearch_ = now.steps + searchInterval_;
+            }
+            steps = std::min(steps, nextSearch_ - now.steps);
+        }
+        executor_.repeat(
+            steps,
+            [&] {
+                if (searching_ == Searching::lists)
+                    executor_.timed(times_.search, [&] { lookAtContact(Index(steps)); });
+            },
+            [&] { step(); });
         executor_.synchronize();
         now = clock();
+        if (now.waits) {
+            const auto waiting = std::chrono::steady_clock::now();
+            arrangeContact(false);
+            hostSearch_ += secondsSince(waiting);
+        }
         if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
     }
     times_.total += secondsSince(begin);
+}
+
+/// Does nothing once contact lists have to be made.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::step()
+{
+    if constexpr (Executor::sharesMemory)
+        if (!state_.clock.data()->mayStep()) return;
+    if (searching_ == Searching::everyStep)
+        executor_.timed(times_.search, [&] { searchAll(state_.clock.data()); });
+    integrate();
+    computeForces();
 }
 
 template <class Precision, class Executor>

@@ -79,79 +79,91 @@ void ExplicitSolver<Precision, Executor>::contactPasses()
     executor_.parallelBlocks(contactBlocks(), Limit::scratch(), limit);
 }
 
-/// Searches where lists could not last for `steps` more steps, and returns how many they last for
-/// (at least one).
+/// Looks whether contact lists last for some steps, and searches where they do not. Part of what is
+/// recorded.
 template <class Precision, class Executor>
-std::int64_t ExplicitSolver<Precision, Executor>::searchFor(const StepClock& now,
-                                                            std::int64_t steps)
+void ExplicitSolver<Precision, Executor>::lookAtContact(Index steps)
 {
-    const auto timedSearch = [&](const auto& search) {
-        const auto begin = std::chrono::steady_clock::now();
-        search();
-        executor_.synchronize();
-        times_.search += secondsSince(begin);
-    };
-    if (searchInterval_ > 0) {
-        if (now.steps >= nextSearch_) {
-            timedSearch([&] { searchContact(); });
-            nextSearch_ = now.steps + searchInterval_;
-        }
-        return std::min(steps, nextSearch_ - now.steps);
-    }
-    if (searchesEveryStep_) {
-        timedSearch([&] { searchContact(); });
-        return 1;
-    }
     executor_.parallelFor(
         contactBlocks(),
         ContactTravel<Precision>{Index(state_.contactNodes.size()), state_.contactNodes.data(),
                                  state_.position.data(), state_.velocity.data(),
                                  std::size_t(data_.nodeCount), state_.searchOrigin.data(),
                                  state_.searchOffset.data(), state_.contactTravel.data()});
-    executor_.synchronize();
-    const SearchSchedule::Plan plan =
-        schedule_.plan(state_.contactTravel.toHost(), rules_.growth * now.step, steps);
-    if (!plan.due.empty())
-        timedSearch([&] {
-            for (const SearchSchedule::Due& due : plan.due) searchOne(due);
-            rememberPositions(plan.due);
-        });
-    return plan.steps;
+    std::vector<SearchPlan> plans;
+    for (std::size_t k = 0; k < state_.searches.size(); ++k)
+        plans.push_back(state_.searches[k].plan(
+            state_.contactTravel.data(), state_.passSearches.data() + k,
+            state_.pairs[state_.searches[k].number].counts.data() + countLate, rules_.growth, steps,
+            state_.clock.data()));
+    planSearches(executor_, plans, state_.passSearches.data(), state_.clock.data());
+    rememberPositions(state_.clock.data());
+    for (std::size_t k = 0; k < plans.size(); ++k)
+        searchOne(state_.searches[k].number, {plans[k].list, &plans[k].pass->due, nullptr});
 }
 
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchOne(const SearchSchedule::Due& due)
+void ExplicitSolver<Precision, Executor>::searchOne(std::size_t pass, const NodeBlocks& blocks)
 {
-    ++times_.searches;
-    PairState<Precision, Executor>& pair = state_.pairs[due.pass];
-    if (!due.blocks.empty()) {
-        std::vector<Index> list = due.blocks;
-        list.resize(pair.searchBlocks.size());
-        pair.searchBlocks.fromHost(list);
-    }
-    searchPass(executor_, pairView(due.pass), pair.cells(data_.pairs[due.pass]),
-               data_.pairs[due.pass].search == ContactSearch::faces,
-               {pair.searchBlocks.data(), Index(due.blocks.size())});
+    searchPass(executor_, pairView(pass), state_.pairs[pass].cells(data_.pairs[pass]),
+               data_.pairs[pass].search == ContactSearch::faces, blocks);
 }
 
-/// Searches in all passes.
+/// Searches in all passes; `clock` not null: where a step follows.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::searchContact()
+void ExplicitSolver<Precision, Executor>::searchAll(const StepClock* clock)
 {
-    std::vector<SearchSchedule::Due> all;
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass)
-        if (data_.pairs[pass].surface < 0) all.push_back({pass, {}});
-    for (const SearchSchedule::Due& due : all) searchOne(due);
-    rememberPositions(all);
+        if (data_.pairs[pass].surface < 0) searchOne(pass, {nullptr, nullptr, clock});
+}
+
+/// By the host, between steps.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::searchNow()
+{
+    const auto begin = std::chrono::steady_clock::now();
+    if (searching_ == Searching::lists) {
+        arrangeContact(true);
+        rememberPositions(nullptr);
+    } else {
+        searchAll(nullptr);
+        times_.searches += std::int64_t(nearBlocks_.passes().size());
+    }
+    executor_.synchronize();
+    hostSearch_ += secondsSince(begin);
+}
+
+/// Searches the passes that wait for it, or all, as a whole and finds out what is near what.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::arrangeContact(bool all)
+{
+    std::vector<PassSearch> passes = state_.passSearches.toHost();
+    const NearBlocks::Positions positions = contactPositions();
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+        if (!all && !passes[k].whole) continue;
+        SearchState<Executor>& search = state_.searches[k];
+        searchOne(search.number, {nullptr, nullptr, nullptr});
+        nearBlocks_.arrange(k, positions);
+        if (search.arrange(nearBlocks_.passes()[k])) executor_.forgetSteps();
+        shareContactNodes(k);
+        passes[k] = {.way = 0,
+                     .come = 0,
+                     .due = 0,
+                     .searches = passes[k].searches + 1,
+                     .whole = 0,
+                     .fresh = 1,
+                     .steps = 0};
+    }
+    state_.passSearches.fromHost(passes);
 }
 
 /// Of the contact nodes, in three planes.
 template <class Precision, class Executor>
-SearchSchedule::Positions ExplicitSolver<Precision, Executor>::contactPositions() const
+NearBlocks::Positions ExplicitSolver<Precision, Executor>::contactPositions() const
 {
     const auto all = state_.position.toHost();
     const std::size_t nodes = std::size_t(data_.nodeCount);
-    SearchSchedule::Positions out;
+    NearBlocks::Positions out;
     out.reserve(3 * data_.contactNodes.size());
     for (std::size_t c = 0; c < 3; ++c)
         for (const Index node : data_.contactNodes)
@@ -159,37 +171,36 @@ SearchSchedule::Positions ExplicitSolver<Precision, Executor>::contactPositions(
     return out;
 }
 
+/// `clock` not null: where the last look found a search due.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::rememberPositions(
-    const std::vector<SearchSchedule::Due>& searched)
+void ExplicitSolver<Precision, Executor>::rememberPositions(const StepClock* clock)
 {
-    if (searchInterval_ > 0 || searchesEveryStep_) return; // nobody asks for ways
-    const Index count = Index(state_.contactNodes.size());
-    executor_.parallelFor(count, RememberPositions<Precision>{
-                                     count, state_.contactNodes.data(), state_.position.data(),
-                                     std::size_t(data_.nodeCount), state_.searchOrigin.data(),
-                                     state_.searchOffset.data()});
-    executor_.synchronize();
-    std::vector<double> positions; // fetched where a pass was searched as a whole, which is rare
-    for (const SearchSchedule::Due& due : searched) {
-        if (!due.blocks.empty()) continue;
-        if (positions.empty()) positions = contactPositions();
-        schedule_.arrange(due.pass, positions);
-        shareContactNodes(due.pass);
-    }
+    Index count = Index(state_.contactNodes.size());
+    const RememberPositions<Precision> kernel{count,
+                                              state_.contactNodes.data(),
+                                              state_.position.data(),
+                                              std::size_t(data_.nodeCount),
+                                              state_.searchOrigin.data(),
+                                              state_.searchOffset.data(),
+                                              clock};
+    if constexpr (Executor::sharesMemory)
+        if (clock && !clock->searched) count = 0;
+    executor_.parallelFor(count, kernel);
 }
 
 /// Tells the threads of the force pass where they have to lock.
 template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::shareContactNodes(std::size_t pass)
+void ExplicitSolver<Precision, Executor>::shareContactNodes(std::size_t place)
 {
+    const std::size_t pass = state_.searches[place].number;
     const PairData& pair = data_.pairs[pass];
     const Index contactors = Index(pair.contactor.size());
     if (executor_.threads() < 2 || contactors != pair.nodeCount) return;
     std::vector<Index> starts;
     for (int thread = 0; thread < executor_.threads(); ++thread)
         starts.push_back(executor_.firstBlock(thread, NodeBlocks::blocks(contactors)));
-    state_.pairs[pass].shared = Array<std::uint8_t, Executor>(schedule_.sharedBlocks(pass, starts));
+    state_.pairs[pass].shared =
+        Array<std::uint8_t, Executor>(nearBlocks_.sharedBlocks(place, starts));
 }
 
 /// Notes what lies inside before the run; it makes full force in passes that do not forgive it.

@@ -43,8 +43,10 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
         state_.listedNodes = Array<Index, Executor>(data_.listedNodes);
     }
     executor_.forgetSteps();
-    schedule_ = SearchSchedule(data_);
-    searchContact();
+    for (const PassSearch& pass : state_.passSearches.toHost()) times_.searches += pass.searches;
+    nearBlocks_ = NearBlocks(data_);
+    if (searching_ == Searching::lists) state_.setSearches(nearBlocks_);
+    searchNow();
 }
 
 /// Takes values over: those of old contactor from[i], -1 for none, in planes.

@@ -8,7 +8,12 @@ template <class Precision, class Executor>
 StepTimes ExplicitSolver<Precision, Executor>::times() const
 {
     StepTimes out = times_;
-    for (double* part : {&out.element, &out.contact, &out.node}) *part *= executor_.timedScale();
+    for (double* part : {&out.element, &out.contact, &out.node, &out.search})
+        *part *= executor_.timedScale();
+    out.search += hostSearch_;
+    for (const PassSearch& pass : state_.passSearches.toHost()) out.searches += pass.searches;
+    if (searching_ == Searching::everyStep)
+        out.searches += clock().steps * std::int64_t(nearBlocks_.passes().size());
     return out;
 }
 
@@ -126,6 +131,7 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
         out.inside += counts[countInside];
         out.mistaken += counts[countMistaken];
         out.crowded += counts[countCrowded];
+        out.late += counts[countLate];
     }
     return out;
 }

@@ -39,8 +39,8 @@ struct PairForce {
     Index active = 0;     ///< contactors in touch, of both sides where both are
     /// Since the start: contactors let go because they went too deep, and that left over a free
     /// edge; searches that found a contactor inside, another face nearer than the one followed, and
-    /// more bodies in reach of a node than it can touch.
-    std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0;
+    /// more bodies in reach of a node than it can touch; lists used for longer than they lasted.
+    std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0, late = 0;
     double spring = 0;                ///< recoverable energy of its springs
     double friction = 0, damping = 0; ///< dissipated since the start
 };

@@ -13,8 +13,9 @@ std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, con
                                     + (threads == 1 ? " thread, " : " threads, ") + simd + ", "
                                     + Precision::name;
     // Enough for the largest patch a mesh may have (2048 nodes).
-    const std::size_t scratch = std::max({elementScratch<typename Precision::Work>(2048),
-                                          nodeScratch(), bodyScratch(), relaxationScratch()});
+    const std::size_t scratch =
+        std::max({elementScratch<typename Precision::Work>(2048), nodeScratch(), bodyScratch(),
+                  relaxationScratch(), PlanPass::scratch()});
     return std::make_unique<ExplicitSolver<Precision, CpuExecutor<Bits>>>(
         model, CpuExecutor<Bits>(threads, scratch), description, audit);
 }

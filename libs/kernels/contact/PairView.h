@@ -30,6 +30,7 @@ enum PairCount {
     countInside,   ///< found by a search inside the target, their depth forgiven
     countMistaken, ///< found by a search to have followed a face not the nearest, by 1 %
     countCrowded,  ///< searches that found more bodies in reach of a contactor than it has slots
+    countLate,     ///< looks that found lists used for longer than they lasted
     pairCounts
 };
 

@@ -30,17 +30,21 @@ struct ContactorNormal {
     }
 };
 
-/// Nodes of a pass that search: those of some blocks, or all.
+/// Nodes of a pass that search: those of the blocks that are due, or all.
 struct NodeBlocks {
     static constexpr Index size = 256;
     static constexpr Index blocks(Index nodes) { return (nodes + size - 1) / size; }
-    const Index* list; ///< numbers of blocks
-    Index count;       ///< 0: all there are
+    const Index* list;       ///< numbers of blocks
+    const std::int64_t* due; ///< how many; null: all there are
+    const StepClock* clock;  ///< not null: none where no step follows
 
-    FPM_KERNEL Index nodes(Index all) const { return count > 0 ? size * count : all; }
+    FPM_KERNEL bool any() const { return (!due || *due > 0) && (!clock || clock->mayStep()); }
+    /// Of indices below size * blocks(nodes); -1: none.
     FPM_KERNEL Index node(Index i) const
     {
-        return count > 0 ? size * list[i / size] + i % size : i;
+        if (!any()) return -1;
+        if (!due) return i;
+        return i / size < *due ? size * list[i / size] + i % size : -1;
     }
 };
 
@@ -53,7 +57,18 @@ struct InBlocks {
     FPM_KERNEL void operator()(Index i) const
     {
         const Index node = blocks.node(i);
-        if (node < nodeCount) kernel(node);
+        if (node >= 0 && node < nodeCount) kernel(node);
+    }
+};
+
+/// A kernel over whatever a search needs, where there is one.
+template <class Kernel>
+struct WhereSearched {
+    NodeBlocks blocks;
+    Kernel kernel;
+    FPM_KERNEL void operator()(Index i) const
+    {
+        if (blocks.any()) kernel(i);
     }
 };
 

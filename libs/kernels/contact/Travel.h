@@ -48,7 +48,7 @@ struct ContactTravel {
     }
 };
 
-/// Remembers where the contact nodes were at a search.
+/// Remembers where the contact nodes were at a search, where the last look found one due.
 template <class Precision>
 struct RememberPositions {
     Index count;
@@ -57,9 +57,11 @@ struct RememberPositions {
     std::size_t nodeStride;
     double* searchOrigin;
     float* searchOffset;
+    const StepClock* clock; ///< null: whatever it found
 
     FPM_KERNEL void operator()(Index i) const
     {
+        if (clock && !clock->searched) return;
         const Index block = i / travelBlock, first = travelBlock * block;
         for (int c = 0; c < 3; ++c) {
             const typename Precision::Position* plane = position + c * nodeStride;

@@ -14,32 +14,55 @@ struct ClockPass {
     StepRules rules;
     StepClock* clock;
 
-    static constexpr std::size_t scratch() { return blockSumScratch(2) + 64; }
+    /// Least and most of any order are the same: as many lanes as a GPU block has threads.
+    static constexpr Index lanes = 256, groups = 16;
+    static constexpr std::size_t scratch() { return 2 * (lanes + groups) * sizeof(double); }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index) const
     {
-        double* partial = reinterpret_cast<double*>(team.scratch());
-        const double *steps = patchStep, *limits = contactLimit;
-        const Index patches = patchCount, contacts = limitCount;
-        blockMinimum(team, patches, steps, partial);
-        team.forEach(blockSumLanes, [=](Index lane) {
-            double most = 0;
-            for (Index i = lane; i < contacts; i += blockSumLanes)
-                most = limits[i] > most ? limits[i] : most;
-            partial[blockSumLanes + lane] = most;
+        double* bounds = reinterpret_cast<double*>(team.scratch());
+        double* ofGroup = bounds + 2 * lanes;
+        const Bounds elements{patchStep, patchCount}, contact{contactLimit, limitCount};
+        team.forEach(lanes, [=](Index lane) {
+            bounds[lane] = elements.least(lane, lanes);
+            bounds[lanes + lane] = contact.most(lane, lanes);
+        });
+        team.barrier();
+        team.forEach(groups, [=](Index group) {
+            ofGroup[group] = Bounds{bounds, lanes}.least(group, groups);
+            ofGroup[groups + group] = Bounds{bounds + lanes, lanes}.most(group, groups);
         });
         team.barrier();
         StepClock* out = clock;
         const StepRules how = rules;
         team.forEach(1, [=](Index) {
-            double contactSquare = 0;
-            for (int lane = 0; lane < blockSumLanes; ++lane)
-                if (partial[blockSumLanes + lane] > contactSquare)
-                    contactSquare = partial[blockSumLanes + lane];
-            advanceClock(*out, how, blockMinimumResult(partial), contactSquare);
+            advanceClock(*out, how, Bounds{ofGroup, groups}.least(0, 1),
+                         Bounds{ofGroup + groups, groups}.most(0, 1));
         });
     }
+
+private:
+    struct Bounds {
+        const double* values;
+        Index count;
+
+        /// A NaN anywhere gives -1.
+        FPM_KERNEL double least(Index first, Index stride) const
+        {
+            double result = 1e300;
+            for (Index i = first; i < count; i += stride)
+                result = values[i] == values[i] ? (values[i] < result ? values[i] : result) : -1.0;
+            return result;
+        }
+        FPM_KERNEL double most(Index first, Index stride) const
+        {
+            double result = 0;
+            for (Index i = first; i < count; i += stride)
+                result = values[i] > result ? values[i] : result;
+            return result;
+        }
+    };
 };
 
 } // namespace fpm

@@ -34,7 +34,7 @@ struct RelaxationNodes {
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
     {
-        if (!pass.clock->running) return;
+        if (!pass.clock->mayStep()) return;
         double* values = reinterpret_cast<double*>(team.scratch());
         double* partial = values + relaxationSums * nodeBlock;
         const Index first = block * nodeBlock;
@@ -143,7 +143,7 @@ struct RelaxationClock {
         RigidBody* body = bodies;
         const Index count = bodyCount;
         team.forEach(1, [=](Index) {
-            if (!out->running) return;
+            if (!out->mayStep()) return;
             double total[relaxationSums + 1];
             for (int k = 0; k <= relaxationSums; ++k) total[k] = blockSumResult(partial, k);
             for (Index i = 0; i < count; ++i) addBody(body[i], out->step, total);

@@ -23,11 +23,20 @@ struct StepClock {
     double unrest = 0;   ///< square root of kinetic over stored energy
     double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
-    std::int64_t deletions = 0; ///< changes whenever elements are deleted
-    std::int32_t running = 1;   ///< 0: `stop` is reached, nothing moves
-    std::int32_t failed = 0;    ///< 1: an element inverted or a number is not finite; 2: the fixed
-                                ///< step is beyond the bound; nothing moves
-    std::int32_t settled = 0;   ///< dynamic relaxation is done; nothing moves
+    std::int64_t deletions = 0;                     ///< changes whenever elements are deleted
+    std::int64_t listsLast = std::int64_t(1) << 62; ///< step up to which contact lists last
+    std::int32_t searched = 0;                      ///< 1: at the last look some searched
+    std::int32_t waits = 0;   ///< 1: for contact lists that the host has to make
+    std::int32_t running = 1; ///< 0: `stop` is reached or lists have to be made, nothing moves
+    std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
+                              ///< step is beyond the bound; nothing moves
+    std::int32_t settled = 0; ///< dynamic relaxation is done; nothing moves
+
+    /// Another step may be made.
+    FPM_KERNEL bool mayStep() const
+    {
+        return !failed && !settled && time < stop && steps < listsLast;
+    }
 };
 
 /// Rules of the step size, fixed for a run.
@@ -49,7 +58,7 @@ advanceClock(StepClock& clock, const StepRules& rules, double elementStep, doubl
     if (!(elementStep > 0) || !(elementStep < 1e300) || !(contactSquare >= 0)
         || !(contactSquare < 1e300))
         clock.failed = 1;
-    if (clock.failed || clock.time >= clock.stop) clock.running = 0;
+    if (!clock.mayStep()) clock.running = 0;
     if (!clock.running) return;
     const double elementSquare = 4 / (elementStep * elementStep);
     clock.stableStep = 2 / ::sqrt(elementSquare + contactSquare);

@@ -19,8 +19,8 @@ public:
         for (double& x : position_) x = place + width(random_);
         start_ = position_;
         for (Index i = 0; i < Index(count); ++i)
-            RememberPositions<DoublePrecision>{Index(count), nodes_.data(), position_.data(),
-                                               count,        origin_,       offset_}(i);
+            RememberPositions<DoublePrecision>{Index(count), nodes_.data(), position_.data(), count,
+                                               origin_,      offset_,       nullptr}(i);
     }
     void move(double most)
     {

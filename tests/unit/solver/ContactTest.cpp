@@ -116,6 +116,25 @@ TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
     EXPECT_LT(std::abs(solver->energies().balance), 0.01);
 }
 
+TEST(Contact, ListsThatAJumpOutrunsAreTold)
+{
+    // Rest, from which no look foresees 1500 m/s; the same speed from the start is foreseen.
+    const auto late = [](double rest) {
+        Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
+                                aluminium(PartKind::elastic, HourglassForm::physical), {}, 0, 1);
+        model.boundaryConditions.push_back(
+            condition(BoundaryCondition::Kind::velocity, "jump", nodesOfPart(model.mesh, "upper"),
+                      {true, true, true}, {0, 0, 1.5e6},
+                      Amplitude{Amplitude::Kind::table, {{0, rest}, {3.5e-6, rest}, {3.51e-6, 1}}}));
+        const auto solver = startedSolver(model);
+        solver->advance(5e-6, 1000);
+        EXPECT_GE(solver->clock().time, 5e-6);
+        return solver->pairForce(0).late;
+    };
+    EXPECT_EQ(late(1), 0);
+    EXPECT_GT(late(0), 0);
+}
+
 TEST(Contact, ClosestParticleAndFacesAgreeOnMatchingMeshes)
 {
     const double run = 20 / std::sqrt(70000 / 2.7e-9);

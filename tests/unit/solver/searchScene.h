@@ -51,7 +51,7 @@ public:
     {
         CpuExecutor<64> executor(1, 0);
         searchPass(executor, view(), state_->cells(data_), search_ == ContactSearch::faces,
-                   {nullptr, 0});
+                   {nullptr, nullptr, nullptr});
     }
 
     /// The tracker at the present positions.

@@ -1,0 +1,195 @@
+#pragma once
+
+#include "kernels/BlockSum.h"
+#include "kernels/contact/PairView.h"
+
+namespace fpm {
+
+// When contactors have to search again. What a search found is valid while no contactor and no face
+// can have come closer by more than the reach: by the largest way of the one plus that of the other
+// since the search and in the coming steps (method of Verlet). Judged for every block of contactor
+// nodes, with those target nodes that were near it when the pass was searched as a whole: what is
+// far from an impact does not search for its sake. ContactTravel, JudgeBlocks, PlanPass, PlanClock
+// and RememberPositions make one look; it asks the host for nothing but a search of a whole pass.
+
+/// A block of contactors of a pass.
+struct BlockSearch {
+    double way;  ///< of both sides, between its last search and the remembered positions
+    double come; ///< since those
+    Index due;   ///< 1: it searches now
+    Index steps; ///< for which its list lasts from now on
+};
+
+/// A pass as a whole.
+struct PassSearch {
+    double way;            ///< since it was arranged
+    double come;           ///< since the remembered positions
+    std::int64_t due;      ///< blocks that search now
+    std::int64_t searches; ///< so far
+    Index whole;           ///< 1: all of it has to search, by the host, and to be arranged anew
+    Index fresh;           ///< 1: arranged at these very positions
+    Index steps;           ///< for which its lists last from now on
+};
+
+/// One pass as the look sees it.
+struct SearchPlan {
+    /// Ways of both sides together, in reaches, until a pass is arranged again.
+    static constexpr double nearness = 8;
+    /// Half as fast again leaves room for acceleration until the next look.
+    static constexpr double haste = 1.5;
+
+    double reach;
+    Index blockCount;
+    const Index *ownStart, *own;   ///< blocks of contact nodes of each block: its own,
+    const Index *nearStart, *near; ///< those of the target near it: CSR
+    Index ownCount, targetCount;   ///< of the whole pass
+    const Index *allOwn, *allTarget;
+    const double* travel; ///< see ContactTravel
+    BlockSearch* blocks;
+    PassSearch* pass;
+    Index* list; ///< numbers of the blocks that search now
+    std::int64_t* late;
+    double growth; ///< largest ratio of successive steps
+    Index horizon; ///< steps until the next look
+    StepClock* clock;
+
+    FPM_KERNEL double timePerStep() const { return haste * growth * clock->step; }
+    /// Square of the largest way (0) or speed (1) in blocks of contact nodes.
+    FPM_KERNEL double
+    largest(const Index* numbers, Index begin, Index end, Index stride, int which) const
+    {
+        double square = 0;
+        for (Index k = begin; k < end; k += stride) {
+            const double value = travel[2 * std::size_t(numbers[k]) + which];
+            square = value > square ? value : square;
+        }
+        return square;
+    }
+    /// How many steps of a way of `each` fit into what is left; horizon at most.
+    FPM_KERNEL Index lasting(double left, double each) const
+    {
+        if (each * horizon <= left) return horizon;
+        const double steps = left / each;
+        return steps > 0 && steps < horizon ? Index(steps) : 0;
+    }
+};
+
+/// What the last look decided is entered, then each block judged. One index = one block.
+struct JudgeBlocks {
+    SearchPlan plan;
+
+    FPM_KERNEL void operator()(Index number) const
+    {
+        const SearchPlan& p = plan;
+        BlockSearch& block = p.blocks[number];
+        if (p.clock->searched) block.way = block.due ? 0 : block.way + block.come;
+        block.come = both(number, 0);
+        const double each = both(number, 1) * p.timePerStep(), way = block.way + block.come;
+        if (way > p.reach && !p.pass->fresh) atomicAdd64(p.late, 1);
+        block.steps = p.lasting(p.reach - way, each);
+        block.due = block.steps < p.horizon && !p.pass->fresh;
+        if (block.due) block.steps = p.lasting(p.reach, each);
+    }
+
+private:
+    /// Largest of its own contact nodes plus largest of the target's near it.
+    FPM_KERNEL double both(Index number, int which) const
+    {
+        const Index *own = plan.ownStart + number, *near = plan.nearStart + number;
+        return ::sqrt(plan.largest(plan.own, own[0], own[1], 1, which))
+               + ::sqrt(plan.largest(plan.near, near[0], near[1], 1, which));
+    }
+};
+
+/// Judges the pass as a whole and lists the blocks that search. One team.
+struct PlanPass {
+    SearchPlan plan;
+
+    static constexpr Index lanes = 256;
+    static constexpr std::size_t scratch()
+    {
+        return 4 * lanes * sizeof(double) + lanes * sizeof(Index);
+    }
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index) const
+    {
+        const SearchPlan p = plan;
+        double* most = reinterpret_cast<double*>(team.scratch()); // [4][lane]: way, speed of each
+        Index* least = reinterpret_cast<Index*>(most + 4 * lanes);
+        PassSearch* pass = p.pass;
+        team.forEach(1, [=](Index) { pass->due = 0; });
+        team.barrier();
+        team.forEach(lanes, [=](Index lane) {
+            Index steps = p.horizon;
+            for (Index b = lane; b < p.blockCount; b += lanes)
+                if (p.blocks[b].steps < steps) steps = p.blocks[b].steps;
+            least[lane] = steps;
+            for (int which = 0; which < 2; ++which) {
+                most[which * lanes + lane] = p.largest(p.allOwn, lane, p.ownCount, lanes, which);
+                most[(2 + which) * lanes + lane] =
+                    p.largest(p.allTarget, lane, p.targetCount, lanes, which);
+            }
+        });
+        team.barrier();
+        team.forEach(1, [=](Index) { decide(p, most, least); });
+        team.barrier();
+        team.forEach(p.blockCount, [=](Index b) {
+            if (!p.blocks[b].due) return;
+            if (pass->whole)
+                p.blocks[b].due = 0; // the host searches it with all others
+            else
+                p.list[atomicAdd64(&pass->due, 1)] = b;
+        });
+    }
+
+private:
+    /// By one thread, from the largest of the lanes.
+    FPM_KERNEL static void decide(const SearchPlan& p, double* most, const Index* least)
+    {
+        PassSearch& pass = *p.pass;
+        if (p.clock->searched) pass.way += pass.come;
+        Index steps = p.horizon;
+        for (Index lane = 0; lane < lanes; ++lane) {
+            steps = least[lane] < steps ? least[lane] : steps;
+            for (int k = 0; k < 4; ++k)
+                most[k * lanes] = most[k * lanes + lane] > most[k * lanes] ? most[k * lanes + lane]
+                                                                           : most[k * lanes];
+        }
+        pass.come = ::sqrt(most[0]) + ::sqrt(most[2 * lanes]);
+        if (pass.way + pass.come > SearchPlan::nearness * p.reach && !pass.fresh)
+            atomicAdd64(p.late, 1);
+        const double each = (::sqrt(most[lanes]) + ::sqrt(most[3 * lanes])) * p.timePerStep(),
+                     left = (SearchPlan::nearness - 1) * p.reach - pass.way - pass.come;
+        // What is near has to be known until the next look alone.
+        const Index next = steps > 1 ? steps : 1;
+        pass.whole = p.lasting(left, each) < next && !pass.fresh;
+        pass.fresh = 0;
+        pass.steps = steps;
+    }
+};
+
+/// What the look found, for the clock: how many steps may follow, at least one. One index.
+struct PlanClock {
+    PassSearch* passes;
+    Index count; ///< one at least
+    StepClock* clock;
+
+    FPM_KERNEL void operator()(Index) const
+    {
+        Index steps = passes[0].steps, searched = 0, whole = 0;
+        for (Index k = 0; k < count; ++k) {
+            PassSearch& pass = passes[k];
+            steps = pass.steps < steps ? pass.steps : steps;
+            whole = whole || pass.whole;
+            searched = searched || pass.whole || pass.due > 0;
+            pass.searches += pass.due > 0;
+        }
+        clock->searched = searched;
+        clock->waits = whole;
+        clock->listsLast = clock->steps + (whole ? 0 : steps > 1 ? steps : 1);
+        clock->running = clock->mayStep();
+    }
+};
+
+} // namespace fpm

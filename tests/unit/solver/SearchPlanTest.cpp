@@ -1,0 +1,238 @@
+#include "parallel/CpuExecutor.h"
+#include "solver/SearchState.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace fpm {
+namespace {
+
+/// All nodes are contact nodes.
+void numberNodes(SolverData& data, Index count)
+{
+    for (Index node = 0; node < count; ++node) data.contactNumber.push_back(node);
+}
+
+/// Four surfaces of `blocks` blocks of contact nodes each; 0 on 1, and 2 on 3.
+SolverData twoPairs(double reach, Index blocks)
+{
+    SolverData data;
+    data.pairs.resize(2);
+    const Index size = blocks * travelBlock;
+    for (Index pair = 0; pair < 2; ++pair) {
+        PairData& p = data.pairs[std::size_t(pair)];
+        p.reach = reach;
+        p.nodeCount = size;
+        for (Index i = 0; i < size; ++i) {
+            p.contactor.push_back(2 * pair * size + i);
+            p.faceNode.push_back((2 * pair + 1) * size + i);
+        }
+    }
+    numberNodes(data, 4 * size);
+    return data;
+}
+
+/// The looks of a solver, told where the contact nodes have come; waiting passes are arranged.
+class Looks
+{
+public:
+    Looks(const SolverData& data, NearBlocks::Positions positions)
+        : positions_(std::move(positions)),
+          near_(data)
+    {
+        for (const NearBlocks::Pass& pass : near_.passes()) states_.emplace_back(pass);
+        passes_ = Array<PassSearch, Executor>(states_.size());
+        clock_.stop = 1e9;
+        clock_.step = 1;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass) arrange(pass);
+    }
+
+    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Ways and speeds of the
+    /// blocks of contact nodes since the last search of any.
+    std::string operator()(const std::vector<double>& ways, const std::vector<double>& speeds)
+    {
+        std::vector<double> travel;
+        for (std::size_t block = 0; block < ways.size(); ++block) {
+            travel.push_back(ways[block] * ways[block]);
+            travel.push_back(speeds[block] * speeds[block]);
+        }
+        std::vector<SearchPlan> plans;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass)
+            plans.push_back(
+                states_[pass].plan(travel.data(), passes_.data() + pass, &late_, 1, 10, &clock_));
+        planSearches(executor_, plans, passes_.data(), &clock_);
+        std::ostringstream text;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass) {
+            const PassSearch& found = passes_.data()[pass];
+            if (!found.whole && found.due == 0) continue;
+            text << (text.tellp() > 0 ? ", " : "") << pass << ":";
+            for (std::int64_t k = 0; k < found.due; ++k) text << " " << plans[pass].list[k];
+            if (!found.whole) continue;
+            text << " all";
+            EXPECT_FALSE(clock_.mayStep());
+            arrange(pass);
+        }
+        return text.str();
+    }
+    Index steps() const { return Index(clock_.listsLast - clock_.steps); }
+    std::int64_t late() const { return late_; }
+    const NearBlocks& near() const { return near_; }
+
+private:
+    using Executor = CpuExecutor<64>;
+
+    void arrange(std::size_t pass)
+    {
+        near_.arrange(pass, positions_);
+        states_[pass].arrange(near_.passes()[pass]);
+        passes_.data()[pass] = {};
+        passes_.data()[pass].fresh = 1;
+    }
+
+    Executor executor_{1, PlanPass::scratch()};
+    NearBlocks::Positions positions_;
+    NearBlocks near_;
+    std::vector<SearchState<Executor>> states_;
+    Array<PassSearch, Executor> passes_;
+    StepClock clock_;
+    std::int64_t late_ = 0;
+};
+
+/// Block k of each surface lies at x = k * spacing.
+Looks arranged(double reach, Index blocks, double spacing)
+{
+    const std::size_t count = std::size_t(4 * blocks * travelBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        positions[i] = spacing * double(Index(i) / travelBlock % blocks);
+    return {twoPairs(reach, blocks), std::move(positions)};
+}
+
+const std::vector<double> still(4, 0.0);
+
+TEST(SearchPlan, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
+{
+    Looks look = arranged(1, 1, 0);
+    look(still, still);
+    EXPECT_EQ(look({0.5, 0.49, 0, 0}, still), "");
+    EXPECT_EQ(look({0.5, 0.51, 0, 0}, still), "0: 0");
+    EXPECT_EQ(look.steps(), 10);
+}
+
+TEST(SearchPlan, AWayBeforeTheSearchOfAnotherPairIsNotForgotten)
+{
+    Looks look = arranged(1, 1, 0);
+    look(still, still);
+    EXPECT_EQ(look({2, 0, 0.6, 0}, still), "0: 0");
+    // Positions were remembered then: another 0.5 is 1.1 for the second pair, 0.5 for the first.
+    EXPECT_EQ(look({0.5, 0, 0.5, 0}, still), "1: 0");
+    EXPECT_EQ(look({0.4, 0, 0.9, 0}, still), "");
+}
+
+TEST(SearchPlan, TheComingStepsCountHalfAsFastAgain)
+{
+    Looks look = arranged(1, 1, 0);
+    look(still, still);
+    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, eleven and a bit the reach.
+    EXPECT_EQ(look(still, {0.03, 0.03, 0, 0}), "");
+    EXPECT_EQ(look({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
+    // Faster than ten steps can bear even from a fresh search: fewer, but one at least.
+    look(still, {0.1, 0.1, 0, 0});
+    EXPECT_EQ(look.steps(), 3);
+    look(still, {100, 0, 0, 0});
+    look(still, {100, 0, 0, 0});
+    EXPECT_EQ(look.steps(), 1);
+    EXPECT_EQ(look.late(), 0);
+}
+
+TEST(SearchPlan, WhatIsFarFromTheMotionDoesNotSearch)
+{
+    // Three blocks a surface, 100 reaches apart; ways in the order of the surfaces.
+    Looks look = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> ways(12, 0.0);
+    look(ways, slow);
+    ways[4] = 1.5; // the middle of the first pair's target
+    EXPECT_EQ(look(ways, slow), "0: 1");
+    ways[4] = 0;
+    ways[0] = 0.9; // of the first contactors; the middle ones were searched meanwhile
+    EXPECT_EQ(look(ways, slow), "");
+    ways[0] = 1.1;
+    EXPECT_EQ(look(ways, slow), "0: 0");
+}
+
+TEST(SearchPlan, WhereSomethingCameFromAfarAllSearchAgain)
+{
+    Looks look = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> ways(12, 0.0);
+    look(ways, slow);
+    ways[4] = 3;
+    EXPECT_EQ(look(ways, slow), "0: 1");
+    EXPECT_EQ(look(ways, slow), "0: 1");
+    // 3 + 3 + 3 is more than the 7 reaches for which is known what is near.
+    EXPECT_EQ(look(ways, slow), "0: all");
+    // It was arranged where it is: whatever its speed, the next look lets it go on.
+    EXPECT_EQ(look(slow, ways), "");
+    EXPECT_EQ(look.steps(), 1);
+}
+
+TEST(SearchPlan, ListsThatWereUsedForTooLongAreCounted)
+{
+    Looks look = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> ways(12, 0.0);
+    look(ways, slow);
+    ways[4] = 0.9;
+    look(ways, slow);
+    EXPECT_EQ(look.late(), 0);
+    ways[4] = 1.1; // of block 1 alone
+    look(ways, slow);
+    EXPECT_EQ(look.late(), 1);
+    ways[4] = 9; // and what was near it is not known any more
+    look(ways, slow);
+    EXPECT_EQ(look.late(), 3);
+}
+
+TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
+{
+    // Four blocks a surface, the second pair like the first; two threads with two blocks each.
+    const std::vector<Index> starts{0, 2};
+    const auto text = [&](double spacing) {
+        std::string out;
+        for (const std::uint8_t shared : arranged(1, 4, spacing).near().sharedBlocks(0, starts))
+            out += shared ? 's' : '-';
+        return out;
+    };
+    EXPECT_EQ(text(100), "--------"); // contactors and, below each of them, the target's nodes
+    EXPECT_EQ(text(0), "----ssss");   // all in one place
+    // Within 24 reaches: those beside the border of the two threads.
+    EXPECT_EQ(text(15), "-----ss-");
+}
+
+TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
+{
+    // One face as wide as 100 reaches whose corners lie in two blocks of contact nodes, and a block
+    // of contactors over its middle.
+    SolverData data;
+    data.pairs.resize(1);
+    PairData& pair = data.pairs[0];
+    pair.reach = 1;
+    pair.nodeCount = 2 * travelBlock;
+    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
+    pair.faceNode = {2 * travelBlock, 2 * travelBlock + 1, 3 * travelBlock, 3 * travelBlock + 1};
+    const std::size_t count = std::size_t(4 * travelBlock);
+    numberNodes(data, 4 * travelBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < std::size_t(2 * travelBlock); ++i) positions[i] = 50;
+    positions[std::size_t(3 * travelBlock)] = positions[std::size_t(3 * travelBlock) + 1] = 100;
+    Looks look(data, positions);
+    look(still, still);
+    EXPECT_EQ(look({0, 0, 0, 1.1}, still), "0: 0 1");
+    const std::vector<std::uint8_t> shared = look.near().sharedBlocks(0, {0, 1});
+    EXPECT_EQ(shared, (std::vector<std::uint8_t>{0, 0, 1, 1}));
+}
+
+} // namespace
+} // namespace fpm
