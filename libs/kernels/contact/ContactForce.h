@@ -151,7 +151,7 @@ private:
             law.storedFace[i] = face;
         }
         Vec3<Work> way = inPlane(measure.way(now, here, corners, origin), at.normal);
-        const AcrossMirrors<Work> across = measure.acrossMirrors(now, here);
+        const Directions<Work> across = measure.acrossMirrors(now, here);
         if (across.count > 0) {
             way = across.without(way);
             const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);

@@ -1,8 +1,39 @@
 #pragma once
 
+#include "kernels/contact/Friction.h"
 #include "kernels/contact/RidgeFaces.h"
 
 namespace fpm {
+
+/// Directions normal to each other, two at most.
+template <class Work>
+struct Directions {
+    Vec3<Work> direction[2];
+    int count = 0;
+
+    /// What of a vector is new.
+    FPM_KERNEL void add(const Vec3<Work>& vector) { addPart(vector, dot(vector, vector)); }
+    /// What of it lies in the plane with this normal and is new.
+    FPM_KERNEL void add(const Vec3<Work>& vector, const Vec3<Work>& normal)
+    {
+        addPart(inPlane(vector, normal), dot(vector, vector));
+    }
+    FPM_KERNEL Vec3<Work> without(Vec3<Work> vector) const
+    {
+        for (int k = 0; k < count; ++k) vector = vector - dot(vector, direction[k]) * direction[k];
+        return vector;
+    }
+
+private:
+    /// `whole`: square of the vector that it is a part of; a small part would be rounding.
+    FPM_KERNEL void addPart(const Vec3<Work>& vector, Work whole)
+    {
+        const Vec3<Work> part = without(vector);
+        const Work square = dot(part, part);
+        if (count < 2 && square > negligibleSquare<Work>() * whole)
+            direction[count++] = (Work(1) / squareRoot(square)) * part;
+    }
+};
 
 /// The faces that have a foot in common, equal partners of the contactor: the one it lies inside,
 /// both at an edge, all around a corner, those that look away left out. The first is the one it is
@@ -42,17 +73,18 @@ struct FootFaces {
     }
     FPM_KERNEL static bool isOnBorder(Work xi, Work eta) { return isBorder(xi) || isBorder(eta); }
 
-    /// Mean of the normals of all of them and, on planes of symmetry, of their images.
+    /// Mean of the normals of all of them and, on planes of symmetry, of their images: what lies in
+    /// all of these planes, which need not be normal to each other.
     FPM_KERNEL Vec3<Work> meanNormal(const PairView<Precision>& pair) const
     {
         Vec3<Work> mean = normal[0];
         for (int k = 1; k < count; ++k) mean += normal[k];
-        mean = (Work(1) / Work(count)) * mean;
+        Directions<Work> cancelled;
         for (int k = 0; k < count; ++k) {
-            if (isBorder(xi[k])) mean = onMirror(pair, face[k], edgeAtXi(xi[k]), mean);
-            if (isBorder(eta[k])) mean = onMirror(pair, face[k], edgeAtEta(eta[k]), mean);
+            if (isBorder(xi[k])) addMirror(pair, face[k], edgeAtXi(xi[k]), cancelled);
+            if (isBorder(eta[k])) addMirror(pair, face[k], edgeAtEta(eta[k]), cancelled);
         }
-        return mean;
+        return cancelled.without((Work(1) / Work(count)) * mean);
     }
     /// What a force in the first face is in another: they have it in common.
     FPM_KERNEL const Vec3<Work>& image(int, const Vec3<Work>& force) const { return force; }
@@ -69,12 +101,11 @@ private:
             addEdge(pair, i, isBorder(atXi) ? edgeAtXi(atXi) : edgeAtEta(atEta));
     }
 
-    FPM_KERNEL static Vec3<Work>
-    onMirror(const PairView<Precision>& pair, Index face, int edge, const Vec3<Work>& vector)
+    FPM_KERNEL static void
+    addMirror(const PairView<Precision>& pair, Index face, int edge, Directions<Work>& to)
     {
         const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(edge)];
-        if (across >= noEdge) return vector;
-        return inPlane(vector, pair.mirror(mirrorEdge(across)));
+        if (across < noEdge) to.add(pair.mirror(mirrorEdge(across)));
     }
     FPM_KERNEL void
     add(const PairView<Precision>& pair, Index i, Index other, Work atXi, Work atEta)

@@ -12,27 +12,6 @@ struct Place {
     Work xi, eta;
 };
 
-/// Directions of the tangential plane, two at most, normal to each other.
-template <class Work>
-struct AcrossMirrors {
-    Vec3<Work> direction[2];
-    int count = 0;
-
-    /// What of a vector lies in the plane with this normal and is new.
-    FPM_KERNEL void add(const Vec3<Work>& vector, const Vec3<Work>& normal)
-    {
-        const Vec3<Work> part = without(inPlane(vector, normal));
-        const Work square = dot(part, part);
-        if (count < 2 && square > negligibleSquare<Work>() * dot(vector, vector))
-            direction[count++] = (Work(1) / squareRoot(square)) * part;
-    }
-    FPM_KERNEL Vec3<Work> without(Vec3<Work> vector) const
-    {
-        for (int k = 0; k < count; ++k) vector = vector - dot(vector, direction[k]) * direction[k];
-        return vector;
-    }
-};
-
 /// Measures how far a contactor slips along the target in a step, for friction.
 template <class Precision>
 struct Slip {
@@ -67,9 +46,9 @@ struct Slip {
     /// Where friction and its image cancel: directions out of the planes of symmetry that the
     /// contactor lies on, of the model, and where it stays in them inside a ridge or midway in a
     /// valley.
-    FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
+    FPM_KERNEL Directions<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
-        AcrossMirrors<Work> out;
+        Directions<Work> out;
         for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
             if (mirrors >> k & 1) out.add(pair.mirror(k), now.at.normal);
         if (!now.ridge && here.count < 2) return out;
@@ -87,7 +66,7 @@ private:
     FPM_KERNEL void addMidway(const AnyFaces& faces,
                               const Tracked<Work>& now,
                               const Vec3<Work>& moved,
-                              AcrossMirrors<Work>& out) const
+                              Directions<Work>& out) const
     {
         for (int k = 1; k < faces.count; ++k)
             for (int j = 0; j < k; ++j) {
