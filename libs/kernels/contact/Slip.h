@@ -5,13 +5,6 @@
 
 namespace fpm {
 
-/// Where a contactor is tracked: face and foot on it.
-template <class Work>
-struct Place {
-    Index face;
-    Work xi, eta;
-};
-
 /// Measures how far a contactor slips along the target in a step, for friction.
 template <class Precision>
 struct Slip {
@@ -38,7 +31,7 @@ struct Slip {
                               const Place<Work>& last) const
     {
         Vec3<Work> way = wayOver(now, here, corners, last);
-        if (Faces::isOnBorder(now.at.xi, now.at.eta) || Faces::isOnBorder(last.xi, last.eta))
+        if (isOnBorder(now.at.xi, now.at.eta) || isOnBorder(last.xi, last.eta))
             way += wayBeyond(now, here, corners, last);
         return way;
     }
@@ -113,7 +106,7 @@ private:
         } else
             foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
                    - offsetOn(corners, xi, eta);
-        const Faces there(pair, i, last.face, last.xi, last.eta);
+        const Faces there(pair, i, last);
         return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
     }
 
@@ -136,7 +129,7 @@ private:
         const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
                          trimmed = offset - at.offset; // what lies beyond where the surface ends
         if (!(dot(trimmed, trimmed) > 0) && !isOnRim(last)) return {0, 0, 0};
-        const Faces there(pair, i, last.face, last.xi, last.eta);
+        const Faces there(pair, i, last);
         Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
         for (int k = 0; k < here.count; ++k) after += inPlane(offset, here.normal[k]);
         for (int k = 0; k < there.count; ++k)

@@ -12,6 +12,59 @@ namespace {
 
 using namespace test;
 
+/// Plane faces that fall to the edge x = 2 between them, and a contactor half a unit below it.
+std::vector<V> valley()
+{
+    return {{2, 0.8, -0.5}, {0, 0, 0.4}, {2, 0, 0},  {4, 0, 0.4},
+            {0, 2, 0.4},    {2, 2, 0},   {4, 2, 0.4}};
+}
+void expectEqual(const OneContactor& a, const OneContactor& b)
+{
+    EXPECT_GT(size(a.force(0)), 0);
+    EXPECT_DOUBLE_EQ(a.spring(), b.spring());
+    for (std::size_t i = 0; i < a.nodes().size(); ++i)
+        EXPECT_LT(size(a.force(i) - b.force(i)), 1e-9) << "node " << i;
+}
+
+TEST(FootFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
+{
+    for (const double mu : {0.0, 0.3}) {
+        const Setting setting{.faceStiffness = {60, 140}};
+        OneContactor a(mu, valley(), 0, twoFaces(), setting),
+            b(mu, valley(), 1, twoFaces(), setting);
+        ASSERT_TRUE(a.onBorder() && b.onBorder() && a.face() != b.face());
+        expectEqual(a, b);
+        EXPECT_NEAR(size(a.force(0)), 100 * 0.5, 1e-9); // each bears half of its own spring
+    }
+}
+
+TEST(FootFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
+{
+    const Setting setting{.faceThickness = {0.3f, 3}}, thin{.faceThickness = {0.3f, 0.4f}};
+    OneContactor a(0.3, valley(), 0, twoFaces(), setting), b(0.3, valley(), 1, twoFaces(), setting);
+    expectEqual(a, b);
+    for (const Index face : {0, 1})
+        EXPECT_EQ(OneContactor(0.3, valley(), face, twoFaces(), thin).face(), releasedFace);
+}
+
+TEST(FootFaces, ContactDampingHasTheLeastMassOfAllOfThem)
+{
+    const std::vector<V> in{{0, 0, -1e-3}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+                            {0, 0, 0},     {0, 0, 0}, {0, 0, 0}};
+    const auto pressed = [&](Index face, std::vector<double> masses) {
+        OneContactor pair(0.3, valley(), face, twoFaces(),
+                          {.faceMass = std::move(masses), .contactorMass = 1, .damping = 0.2});
+        pair.move(in);
+        return size(pair.force(0));
+    };
+    const double elastic = normalStiffness * 0.501;
+    const double rate = 1e-3 / step, damped = 2 * 0.2 * std::sqrt(normalStiffness * 0.04) * rate;
+    for (const Index face : {0, 1}) {
+        EXPECT_NEAR(pressed(face, {0.04, 0.5}), elastic + damped, 1e-9);
+        EXPECT_NEAR(pressed(face, {0.04, 0}), elastic + damped, 1e-9); // 0: held, no mass to move
+    }
+}
+
 /// The corner of a pyramid on two planes of symmetry 60 degrees apart: its image all around has the
 /// mean normal of the axis in which they meet.
 TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
@@ -24,7 +77,8 @@ TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
             {1, 2, 3, 4}, {0, 1, 2, 3}, {mirrorEdge(0), freeEdge, freeEdge, mirrorEdge(1)}};
         OneContactor pair(0.3, nodes, 0, one, {.mirrorNormals = {0, -1, 0, -s, c, 0}});
         const auto view = pair.view();
-        const V mean = FootFaces<DoublePrecision>(view, 0, 0, -1.0, -1.0).meanNormal(view);
+        const V mean =
+            FootFaces<DoublePrecision>(view, 0, Place<double>{0, -1, -1}).meanNormal(view);
         EXPECT_NEAR(mean.x, 0, 1e-12);
         EXPECT_NEAR(mean.y, 0, 1e-12);
         EXPECT_GT(mean.z, 0.5);
