@@ -120,7 +120,8 @@ private:
 
 /// The faces that have a foot in common, equal partners of the contactor: the one it lies inside,
 /// both at an edge, all around a corner, those that look away left out. The first is the one it is
-/// tracked on, which of them that is must not matter.
+/// tracked on, which of them that is must not matter: one that looks away only where all of them
+/// do.
 template <class Precision>
 struct FootFaces {
     using Work = typename Precision::Work;

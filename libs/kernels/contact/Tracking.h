@@ -175,8 +175,9 @@ private:
         });
     }
 
-    /// Moves to a face that is nearer by more than rounding. `ridge`: both are as near, each with
-    /// a foot inside it.
+    /// Moves to a face that is nearer by more than rounding; of those with one foot in common, from
+    /// one that looks away to one that does not, or they would share the contactor with it or not
+    /// as it is tracked. `ridge`: both are as near, each with a foot inside it.
     FPM_KERNEL bool moved(
         Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
@@ -184,19 +185,28 @@ private:
         const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
+        bool turnedAway = false;
         if (isAsNear(found.square, here.point.square, size)) {
             const bool inside = found.where == insideFace && here.point.where == insideFace,
                        apart = areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
                                           offsetOn(there, found.xi, found.eta), size);
             ridge = ridge || (inside && apart);
-            if (inside || !apart) return false; // to hop on one point would be rounding
+            turnedAway = !apart && looksAway(pair, i, normalAt(corners, here.point));
+            // To hop on one point would be rounding.
+            if (!turnedAway && (inside || !apart)) return false;
         }
-        if (!(found.square < less * here.point.square)
-            || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
+        if (!(turnedAway || found.square < less * here.point.square)
+            || looksAway(pair, i, normalAt(there, found)))
             return false;
         here = {other, found, 0};
         corners = there;
         return true;
+    }
+
+    FPM_KERNEL static Vec3<Work> normalAt(const FaceCorners<Work>& face,
+                                          const FacePoint<Work>& point)
+    {
+        return gapAt(face, point.xi, point.eta).normal;
     }
 
     /// Moves to a neighbour that is nearer by more than rounding, if there is one.

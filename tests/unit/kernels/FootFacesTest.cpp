@@ -65,6 +65,20 @@ TEST(FootFaces, ContactDampingHasTheLeastMassOfAllOfThem)
     }
 }
 
+/// Face 0 looks away from the contactor, which looks at face 1.
+TEST(FootFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
+{
+    const V looks{std::sin(1.4), 0, -std::cos(1.4)};
+    for (const double mu : {0.0, 0.3}) {
+        OneContactor a(mu, valley(), 0, twoFaces(), {.looks = looks}),
+            b(mu, valley(), 1, twoFaces(), {.looks = looks});
+        ASSERT_TRUE(a.onBorder() && b.onBorder());
+        EXPECT_EQ(a.face(), 1);
+        EXPECT_EQ(b.face(), 1);
+        expectEqual(a, b);
+    }
+}
+
 /// The corner of a pyramid on two planes of symmetry 60 degrees apart: its image all around has the
 /// mean normal of the axis in which they meet.
 TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
