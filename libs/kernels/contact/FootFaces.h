@@ -65,6 +65,21 @@ FPM_KERNEL int edgeAtEta(Work eta)
     return eta > 0 ? 2 : 0;
 }
 
+/// A place on an edge as the face across it has it, where there is one.
+template <class Precision>
+FPM_KERNEL bool placeAcross(const PairView<Precision>& pair,
+                            const Place<typename Precision::Work>& place,
+                            int edge,
+                            Place<typename Precision::Work>& out)
+{
+    const Index across = pair.neighbour[4 * std::size_t(place.face) + std::size_t(edge)];
+    if (across < 0) return false;
+    out.face = across / 4;
+    edgePoint(across & 3, shareAlong(edge, -place.xi, -place.eta), out.xi,
+              out.eta); // the other way round
+    return true;
+}
+
 /// The others of the faces that have a place on the border of one in common: across an edge, around
 /// a corner.
 template <class Precision>
@@ -88,12 +103,8 @@ private:
     template <class Visit>
     FPM_KERNEL void visitEdge(const Place<Work>& foot, int edge, const Visit& visit) const
     {
-        const Index across = pair.neighbour[4 * std::size_t(foot.face) + std::size_t(edge)];
-        if (across < 0) return;
-        Place<Work> other{across / 4, 0, 0};
-        edgePoint(across & 3, shareAlong(edge, -foot.xi, -foot.eta), other.xi,
-                  other.eta); // the other way round
-        visitPlace(other, visit);
+        Place<Work> other;
+        if (placeAcross(pair, foot, edge, other)) visitPlace(other, visit);
     }
     template <class Visit>
     FPM_KERNEL void visitCorner(const Place<Work>& foot, const Visit& visit) const

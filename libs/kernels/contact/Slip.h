@@ -110,12 +110,19 @@ private:
         return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
     }
 
-    /// Whether a place on a border of a face lies on a free edge.
+    /// Whether a place on a border of a face lies where the surface ends for the contactor.
     FPM_KERNEL bool isOnRim(const Place<Work>& at) const
     {
-        const Index* across = pair.neighbour + 4 * std::size_t(at.face);
-        return (at.xi * at.xi >= Work(1) && across[at.xi > 0 ? 1 : 3] == freeEdge)
-               || (at.eta * at.eta >= Work(1) && across[at.eta > 0 ? 2 : 0] == freeEdge);
+        return (isOnBorder(at.xi) && endsAt(at, edgeAtXi(at.xi)))
+               || (isOnBorder(at.eta) && endsAt(at, edgeAtEta(at.eta)));
+    }
+    FPM_KERNEL bool endsAt(const Place<Work>& at, int edge) const
+    {
+        Place<Work> other;
+        if (!placeAcross(pair, at, edge, other))
+            return pair.neighbour[4 * std::size_t(at.face) + std::size_t(edge)] == freeEdge;
+        const FaceCorners<Work> corners = pair.corners(other.face, pair.contactor[i]);
+        return looksAway(pair, i, gapAt(corners, other.xi, other.eta).normal);
     }
 
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the

@@ -79,6 +79,30 @@ TEST(FootFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
     }
 }
 
+/// To a contactor the surface ends where the next face looks away as it does where there is none:
+/// the way beyond counts both ways.
+TEST(FootFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
+{
+    // Face 1 hangs down from the edge x = 2 and a little back.
+    const std::vector<V> nodes{{1.9, 0.8, -0.3}, {0, 0, 0}, {2, 0, 0},   {1.9, 0, -2},
+                               {0, 2, 0},        {2, 2, 0}, {1.9, 2, -2}};
+    const Faces alone{{1, 2, 5, 4}, {0, 1, 2, 3}, {freeEdge, freeEdge, freeEdge, freeEdge}};
+    const Setting setting{.looks = {0, 0, -1}};
+    OneContactor turns(10, nodes, 0, twoFaces(), setting), ends(10, nodes, 0, alone, setting);
+    std::vector<V> way(nodes.size(), V{0, 0, 0});
+    for (const double sign : {1.0, -1.0}) {
+        way[0] = {sign * 0.01, 0.002, 0};
+        for (int n = 0; n < 25; ++n) { // to x = 2.15 and back
+            turns.move(way);
+            ends.move(way);
+            ASSERT_EQ(turns.face(), 0);
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                ASSERT_LT(size(turns.force(i) - ends.force(i)), 1e-9) << "step " << n;
+        }
+    }
+    EXPECT_GT(turns.held(), 0);
+}
+
 /// The corner of a pyramid on two planes of symmetry 60 degrees apart: its image all around has the
 /// mean normal of the axis in which they meet.
 TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
