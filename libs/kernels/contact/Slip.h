@@ -30,9 +30,15 @@ struct Slip {
                               const FaceCorners<Work>& corners,
                               const Place<Work>& last) const
     {
-        Vec3<Work> way = wayOver(now, here, corners, last);
-        if (isOnBorder(now.at.xi, now.at.eta) || isOnBorder(last.xi, last.eta))
-            way += wayBeyond(now, here, corners, last);
+        const Projection<Work>& at = now.at;
+        const bool stays = last.face == now.face && last.xi == at.xi && last.eta == at.eta,
+                   beyond = (isOnBorder(at.xi, at.eta) || isOnBorder(last.xi, last.eta))
+                            && isBeyond(at, corners, last);
+        if (stays && !beyond) return {0, 0, 0};
+        const Faces there(pair, i, last);
+        Vec3<Work> way{0, 0, 0};
+        if (!stays) way = wayOver(now, here, there, corners, last);
+        if (beyond) way += wayBeyond(at, here, there, corners);
         return way;
     }
 
@@ -95,18 +101,17 @@ private:
     /// their sum does not.
     FPM_KERNEL Vec3<Work> wayOver(const Tracked<Work>& now,
                                   const Faces& here,
+                                  const Faces& there,
                                   const FaceCorners<Work>& corners,
                                   const Place<Work>& last) const
     {
         const Work xi = now.at.xi, eta = now.at.eta;
         Vec3<Work> foot;
-        if (last.face == now.face) {
-            if (last.xi == xi && last.eta == eta) return {0, 0, 0};
+        if (last.face == now.face)
             foot = slipOnFace(corners, last.xi, last.eta, xi, eta);
-        } else
+        else
             foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
                    - offsetOn(corners, xi, eta);
-        const Faces there(pair, i, last);
         return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
     }
 
@@ -125,18 +130,22 @@ private:
         return looksAway(pair, i, gapAt(corners, other.xi, other.eta).normal);
     }
 
+    /// Whether what lies beyond where the surface ends counts, now or one step ago.
+    FPM_KERNEL bool isBeyond(const Projection<Work>& at,
+                             const FaceCorners<Work>& corners,
+                             const Place<Work>& last) const
+    {
+        const Vec3<Work> trimmed = offsetOn(corners, at.xi, at.eta) - at.offset;
+        return dot(trimmed, trimmed) > 0 || isOnRim(last);
+    }
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the faces there.
-    FPM_KERNEL Vec3<Work> wayBeyond(const Tracked<Work>& now,
+    FPM_KERNEL Vec3<Work> wayBeyond(const Projection<Work>& at,
                                     const Faces& here,
-                                    const FaceCorners<Work>& corners,
-                                    const Place<Work>& last) const
+                                    const Faces& there,
+                                    const FaceCorners<Work>& corners) const
     {
-        const Projection<Work>& at = now.at;
-        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
-                         trimmed = offset - at.offset; // what lies beyond where the surface ends
-        if (!(dot(trimmed, trimmed) > 0) && !isOnRim(last)) return {0, 0, 0};
-        const Faces there(pair, i, last);
+        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta);
         Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
         for (int k = 0; k < here.count; ++k) after += inPlane(offset, here.normal[k]);
         for (int k = 0; k < there.count; ++k)
