@@ -175,6 +175,7 @@ PairData makePass(const SolverData& data,
     addComponents(out, model, pair, own, target);
     addPenalty(out, data, model, pair, own, target, share);
     out.unequalFaces = differ(out.faceStiffness);
+    out.mayLeave = data.erodes;
     return out;
 }
 

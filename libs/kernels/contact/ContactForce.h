@@ -28,11 +28,14 @@ struct ContactForce {
         using T = typename Team::template Number<Work>;
         if (!pair.clock->running) return;
         const Index first = number * block, left = pair.contactorCount - first;
+        const Index size = left < block ? left : block;
         const BlockForce total{pair.force + std::size_t(number) * BlockForce::values,
-                               Team::oneThread};
+                               pair.contactorForce, Team::oneThread};
         team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
+        if (total.each)
+            team.forEach(3 * size, [=](Index k) { total.each[3 * std::size_t(first) + k] = 0; });
         team.barrier();
-        team.template forEachBatch<Work>(left < block ? left : block, [&](Index e) {
+        team.template forEachBatch<Work>(size, [&](Index e) {
             const SteadyContactors<Precision, T> steady(pair, first + e);
             for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
                 const Index i = first + e + lane;
