@@ -73,13 +73,13 @@ private:
         if (now.beyond || !(at.gap < pair.reach)) {
             if (now.beyond && at.gap < 0) {
                 if (pair.law.spring[i] > 0) atomicAdd64(pair.counts + countOverEdge, 1);
-                pair.face[i] = releasedFace;
+                letGo(i);
             }
             open(i, stiffness, way);
             return;
         }
         if (-at.gap > partner.thickness) {
-            pair.face[i] = releasedFace;
+            letGo(i);
             atomicAdd64(pair.counts + countReleased, 1);
             open(i, stiffness, way);
             return;
@@ -141,6 +141,11 @@ private:
                 return true;
             });
         out.stiffness = out.stiffness / count;
+    }
+    FPM_KERNEL void letGo(Index i) const
+    {
+        pair.face[i] = releasedFace;
+        if (pair.injected) pair.injected[pair.contactorCount + i] = 0; // see relievedGap
     }
     /// No touch: no force. Who did not touch before has nothing to tell.
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const

@@ -99,7 +99,8 @@ struct PairView {
     std::int64_t* counts;         ///< as PairCount
     float* overlap;      ///< depth at which it was found, of which forgivenShare makes no force
     Work* heldStiffness; ///< k_n with which a contactor's spring closed; null: all faces have one
-    double* injected;    ///< work of overlaps that fade with time; null: they do not
+    double* injected;    ///< work of overlaps that fade with time; null: they do not; second half:
+                         ///< gap at the last step, 0 where nothing is forgiven
     double fadeTime;     ///< > 0: over which they do
 
     const Position* position;
