@@ -123,5 +123,39 @@ TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
     }
 }
 
+/// Two bytes a component: off by half a part of ownNormalScale in each.
+TEST(OwnNormal, InTwoBytesAComponentKeepsItsDirection)
+{
+    OneContactor pair(0.3, valley());
+    const auto view = pair.view();
+    std::mt19937 random(3);
+    std::normal_distribution<double> any(0, 1);
+    const double bound = std::sqrt(3.0) * 0.5 / ownNormalScale;
+    double most = 0;
+    for (int n = 0; n < 100000; ++n) {
+        V normal{any(random), any(random), any(random)};
+        if (n < 6)
+            normal = {n == 0   ? 1.0
+                      : n == 1 ? -1.0
+                               : 0,
+                      n == 2   ? 1.0
+                      : n == 3 ? -1.0
+                               : 0,
+                      n == 4   ? 1.0
+                      : n == 5 ? -1.0
+                               : 0};
+        normal = (1 / size(normal)) * normal;
+        view.setOwnNormal(0, normal);
+        most = std::max(most, size(view.ownNormalOf(0) - normal));
+        if (n < 6) {
+            EXPECT_EQ(most, 0);
+        }
+    }
+    EXPECT_LT(most, 1.001 * bound);
+    EXPECT_GT(most, 0.8 * bound);
+    view.setOwnNormal(0, {0, 0, 0});
+    EXPECT_EQ(size(view.ownNormalOf(0)), 0);
+}
+
 } // namespace
 } // namespace fpm
