@@ -102,7 +102,10 @@ private:
         const auto corners = numbers("/VTKHDF/Connectivity", 1, std::int64_t(nodeCount));
         requireCount("NumberOfConnectivityIds", corners.size());
         requireCount("NumberOfCells", corners.size() / 8);
-        if (corners.size() % 8 != 0 || corners.size() / 8 > maxElements)
+        if (corners.size() / 8 > maxElements)
+            fail(
+                format("{} elements; at most {} can be numbered", corners.size() / 8, maxElements));
+        if (corners.size() % 8 != 0)
             fail(format("{} corners are not those of 8-node elements", corners.size()));
         mesh_.hexahedra.resize(corners.size() / 8);
         for (std::size_t k = 0; k < corners.size(); ++k) mesh_.hexahedra[k / 8][k % 8] = corners[k];

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "mesh/Patches.h"
 #include "mesh/Quality.h"
 #include "mesher/FileBody.h"
 #include "mesher/MeshReport.h"
@@ -9,7 +10,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace fpm {
 
@@ -39,10 +39,9 @@ void requireMemory(const Bodies& bodies)
     std::int64_t elements = 0;
     for (const auto& entry : bodies.entries)
         for (const auto& shape : entry.shapes) elements += shape.cellCount;
-    if (elements > std::numeric_limits<Index>::max())
+    if (elements > std::int64_t(maxElements))
         throw Error(ExitCode::mesh,
-                    format("{} elements in all; at most {} can be numbered", elements,
-                           std::numeric_limits<Index>::max()),
+                    format("{} elements in all; at most {} can be numbered", elements, maxElements),
                     "use fewer cells");
     const double machine = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
     const double needed = bytesPerElement * double(elements);

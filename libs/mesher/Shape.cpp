@@ -2,11 +2,11 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "mesh/Patches.h"
 #include "mesher/Gmsh.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fpm {
 
@@ -113,7 +113,7 @@ int refined(const Dictionary& entry, std::string_view key, int cells, int refine
 
 void requireCountable(const Dictionary& entry, std::string_view key, std::int64_t cells)
 {
-    constexpr std::int64_t most = std::numeric_limits<Index>::max();
+    constexpr std::int64_t most = maxElements;
     if (cells > most)
         entry.fail(key, format("{} elements in one entry; at most {} can be numbered", cells, most),
                    "use fewer cells");

@@ -4,6 +4,7 @@
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "solver/MirrorPlanes.h"
+#include "solver/ModelSizes.h"
 #include "solver/PenaltyData.h"
 
 #include <algorithm>
@@ -81,7 +82,10 @@ void addComponents(PairData& out,
 
 /// Faces that are no partner of a contactor of the same body: those of all elements at the nodes of
 /// its own faces, so that neither its surroundings nor the other side of a thin layer capture it.
-void addExclusions(PairData& out, const Model& model, const std::vector<ElementSide>& target)
+void addExclusions(PairData& out,
+                   const Model& model,
+                   const ContactPair& pair,
+                   const std::vector<ElementSide>& target)
 {
     const Mesh& mesh = model.mesh;
     std::vector<std::vector<Index>> faces(mesh.hexahedra.size()), elements(mesh.points.size());
@@ -101,6 +105,7 @@ void addExclusions(PairData& out, const Model& model, const std::vector<ElementS
                                     faces[std::size_t(element)].end());
             }
         out.excluded.insert(out.excluded.end(), excluded.begin(), excluded.end());
+        requireExclusionPlaces(pair.name, out.excluded.size());
         out.excludedStart.push_back(Index(out.excluded.size()));
     }
 }
@@ -166,10 +171,11 @@ PairData makePass(const SolverData& data,
     out.meanFaceSize = std::sqrt(areas / double(target.size()));
     addTopology(out, model.mesh.points);
     continueAtMirrors(out, mirrorPlanes(model));
-    if (pair.kind != ContactKind::pair) addExclusions(out, model, target);
+    if (pair.kind != ContactKind::pair) addExclusions(out, model, pair, target);
     addComponents(out, model, pair, own, target);
     addPenalty(out, data, model, pair, own, target, share);
     out.unequalFaces = differ(out.faceStiffness);
+    out.mayLeave = data.erodes;
     return out;
 }
 

@@ -48,8 +48,8 @@ struct PairState {
     Of<Work> xi, eta, friction;
     Of<float> overlap;
     Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
-    Of<std::int64_t> force;  ///< of faces, see BlockForce
-    Of<double> surfaceForce; ///< of an analytic surface on each contactor
+    Of<std::int64_t> force, contactorForce; ///< of faces, see BlockForce
+    Of<double> surfaceForce;                ///< of an analytic surface on each contactor
     Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected;
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
@@ -98,6 +98,7 @@ struct PairState {
                     ? BlockForce::values
                           * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))
                     : 0),
+          contactorForce(pair.mayLeave ? 3 * pair.contactor.size() : 0),
           surfaceForce(pair.surface >= 0 ? 3 * pair.contactor.size() : 0),
           spring(pair.contactor.size()),
           dissipated(rubs(pair) ? pair.contactor.size() : 0),
@@ -149,6 +150,7 @@ struct PairState {
         v.eta = eta.data();
         v.around = around.data();
         v.force = force.data();
+        v.contactorForce = contactorForce.data();
         v.counts = counts.data();
         v.overlap = overlap.data();
         v.heldStiffness = heldStiffness.data();
@@ -221,7 +223,8 @@ struct PairState {
         for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
             sum += array->bytes();
         for (const Of<float>* array : {&faceThickness, &overlap}) sum += array->bytes();
-        return sum + force.bytes() + entries.bytes() + ownNormal.bytes() + counts.bytes();
+        return sum + force.bytes() + contactorForce.bytes() + entries.bytes() + ownNormal.bytes()
+               + counts.bytes();
     }
 };
 

@@ -1,6 +1,7 @@
 #include "solver/Erosion.h"
 
 #include "mesh/Surface.h"
+#include "solver/ModelSizes.h"
 
 #include <algorithm>
 #include <map>
@@ -109,6 +110,7 @@ bool Erosion::renewContact(SolverData& data, const std::vector<bool>& deleted)
         pair.targetSides = target;
     }
     if (!changed) return false;
+    requirePlaces(sizesOf(model_)); // walls of holes join the surfaces
     data.pairs.clear();
     data.contactNodes.clear();
     addContact(data, model_);

@@ -79,6 +79,55 @@ leftBehind(const Array<double, Executor>& old, const std::vector<Index>& from, s
     return sum;
 }
 
+/// Sum of the forces on those old contactors that `from` takes over, in the scale of now: what acts
+/// on them until the next step.
+template <class Executor>
+static std::vector<std::int64_t> stayingForce(const Array<std::int64_t, Executor>& old,
+                                              const std::vector<Index>& from,
+                                              const ForceScale& before,
+                                              const ForceScale& now)
+{
+    const std::vector<std::int64_t> forces = old.toHost();
+    std::vector<std::int64_t> sum(3);
+    for (const Index k : from)
+        for (std::size_t c = 0; k >= 0 && c < 3; ++c) sum[c] += forces[3 * std::size_t(k) + c];
+    for (std::int64_t& force : sum) force = now.force(before.toForce(force));
+    return sum;
+}
+
+/// What goes on where a contactor and its face stay: place, spring and friction.
+template <class Precision, class Executor>
+static void carryTouch(const PairState<Precision, Executor>& old,
+                       PairState<Precision, Executor>& renewed,
+                       const std::vector<Index>& touching,
+                       std::size_t oldCount)
+{
+    const auto take = [&](const auto& from, auto& to) { carry(from, to, touching, oldCount); };
+    take(old.xi, renewed.xi);
+    take(old.eta, renewed.eta);
+    take(old.overlap, renewed.overlap);
+    take(old.surfaceForce, renewed.surfaceForce);
+    take(old.spring, renewed.spring);
+    take(old.heldStiffness, renewed.heldStiffness);
+    take(old.friction, renewed.friction);
+    take(old.dampingForce, renewed.dampingForce);
+    take(old.frictionFace, renewed.frictionFace);
+}
+
+/// What has been booked of a contactor that stays, in touch or not.
+template <class Precision, class Executor>
+static void carryWorks(const PairState<Precision, Executor>& old,
+                       PairState<Precision, Executor>& renewed,
+                       const std::vector<Index>& contactor,
+                       std::size_t oldCount)
+{
+    const auto take = [&](const auto& from, auto& to) { carry(from, to, contactor, oldCount); };
+    take(old.dissipated, renewed.dissipated);
+    take(old.damped, renewed.damped);
+    take(old.surfaceWork, renewed.surfaceWork);
+    take(old.injected, renewed.injected);
+}
+
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
                                                     const PairRenewal& from,
@@ -91,7 +140,6 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
     const auto newFace = [&](Index face) {
         return face >= 0 ? from.face[std::size_t(face)] : face;
     };
-
     const std::vector<Index> oldFace = old.face.toHost();
     std::vector<Index> face(count, noFace), touching = from.contactor;
     for (std::size_t i = 0; i < count; ++i) {
@@ -100,31 +148,17 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
         if (faces && face[i] < 0) touching[i] = -1; // its face is gone, and force and friction
     }
     renewed.face.fromHost(face);
-    carry(old.xi, renewed.xi, touching, oldCount);
-    carry(old.eta, renewed.eta, touching, oldCount);
-    carry(old.overlap, renewed.overlap, touching, oldCount);
-    if (renewed.force.size() > 0) { // what acts on the nodes until the next step
-        std::vector<std::int64_t> parts(renewed.force.size());
-        const std::array<std::int64_t, 3> sum = old.forceSum();
-        for (std::size_t c = 0; c < 3; ++c)
-            parts[c] = data_.contactScale.force(before.toForce(sum[c]));
+    carryTouch(old, renewed, touching, oldCount);
+    std::vector<Index> frames = renewed.frictionFace.toHost();
+    for (Index& frame : frames) frame = newFace(frame);
+    renewed.frictionFace.fromHost(frames);
+    if (renewed.force.size() > 0) {
+        std::vector<std::int64_t> parts =
+            stayingForce(old.contactorForce, touching, before, data_.contactScale);
+        parts.resize(renewed.force.size());
         renewed.force.fromHost(parts);
     }
-    carry(old.surfaceForce, renewed.surfaceForce, touching, oldCount);
-    carry(old.spring, renewed.spring, touching, oldCount);
-    carry(old.heldStiffness, renewed.heldStiffness, touching, oldCount);
-    carry(old.friction, renewed.friction, touching, oldCount);
-    carry(old.dampingForce, renewed.dampingForce, touching, oldCount);
-    carry(old.frictionFace, renewed.frictionFace, touching, oldCount);
-    if (renewed.frictionFace.size() > 0) {
-        std::vector<Index> frames = renewed.frictionFace.toHost();
-        for (Index& frame : frames) frame = newFace(frame);
-        renewed.frictionFace.fromHost(frames);
-    }
-    carry(old.dissipated, renewed.dissipated, from.contactor, oldCount);
-    carry(old.damped, renewed.damped, from.contactor, oldCount);
-    carry(old.surfaceWork, renewed.surfaceWork, from.contactor, oldCount);
-    carry(old.injected, renewed.injected, from.contactor, oldCount);
+    carryWorks(old, renewed, from.contactor, oldCount);
     renewed.counts.fromHost(old.counts.toHost());
     lost_.contact += leftBehind(old.spring, touching, oldCount);
     lost_.friction += leftBehind(old.dissipated, from.contactor, oldCount);

@@ -4,6 +4,7 @@
 #include "base/Format.h"
 #include "kernels/particle/Amplitude.h"
 #include "mesh/Quality.h"
+#include "solver/ModelSizes.h"
 #include "solver/PatchTables.h"
 
 #include <algorithm>
@@ -290,6 +291,7 @@ void shareNodes(SolverData& data)
 
 SolverData makeSolverData(const Model& model, bool audit)
 {
+    requirePlaces(sizesOf(model));
     SolverData data;
     data.nodeCount = Index(model.mesh.points.size());
     data.elementCount = Index(model.mesh.hexahedra.size());

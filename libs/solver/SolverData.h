@@ -39,6 +39,7 @@ struct PairData {
     std::vector<double> mirrorNormal; ///< [3 * k]: of plane k of mirrorPlanes, mirrorEdge(k)
     std::vector<double> faceStiffness, faceThickness, faceMass;
     bool unequalFaces = false;              ///< in stiffness, by more than rounding
+    bool mayLeave = false;                  ///< contactors, as their face may be deleted
     std::vector<double> contactorStiffness; ///< empty where the faces' alone count
     std::vector<double> contactorMass;
     std::vector<std::uint8_t> mirrors;       ///< planes of symmetry a contactor lies on, a bit each

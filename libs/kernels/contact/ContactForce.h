@@ -28,11 +28,14 @@ struct ContactForce {
         using T = typename Team::template Number<Work>;
         if (!pair.clock->running) return;
         const Index first = number * block, left = pair.contactorCount - first;
+        const Index size = left < block ? left : block;
         const BlockForce total{pair.force + std::size_t(number) * BlockForce::values,
-                               Team::oneThread};
+                               pair.contactorForce, Team::oneThread};
         team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
+        if (total.each)
+            team.forEach(3 * size, [=](Index k) { total.each[3 * std::size_t(first) + k] = 0; });
         team.barrier();
-        team.template forEachBatch<Work>(left < block ? left : block, [&](Index e) {
+        team.template forEachBatch<Work>(size, [&](Index e) {
             const SteadyContactors<Precision, T> steady(pair, first + e);
             for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
                 const Index i = first + e + lane;
@@ -49,6 +52,12 @@ struct ContactForce {
     }
 
 private:
+    struct Partner {
+        Work stiffness;
+        Work mass; ///< m*; 0 without damping
+        Work thickness;
+    };
+
     /// Spring, friction and damping against the face found now.
     FPM_KERNEL void press(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {
@@ -58,18 +67,19 @@ private:
         pair.xi[i] = now.xi;
         pair.eta[i] = now.eta;
         const Projection<Work>& at = now.at;
-        const Work stiffness = stiffnessOf(i, face);
+        const Partner partner = partnerOf(i, now);
+        const Work stiffness = partner.stiffness;
         const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
         if (now.beyond || !(at.gap < pair.reach)) {
             if (now.beyond && at.gap < 0) {
                 if (pair.law.spring[i] > 0) atomicAdd64(pair.counts + countOverEdge, 1);
-                pair.face[i] = releasedFace;
+                letGo(i);
             }
             open(i, stiffness, way);
             return;
         }
-        if (-at.gap > Work(pair.faceThickness[face])) {
-            pair.face[i] = releasedFace;
+        if (-at.gap > partner.thickness) {
+            letGo(i);
             atomicAdd64(pair.counts + countReleased, 1);
             open(i, stiffness, way);
             return;
@@ -81,7 +91,7 @@ private:
         const Faces here = rubs ? Faces(pair, i, face, at) : Faces();
         if (gap < 0) {
             const Work pressed =
-                pair.law.normalForce(i, stiffness, gap, massOf(i, face), way, pair.clock->step);
+                pair.law.normalForce(i, stiffness, gap, partner.mass, way, pair.clock->step);
             Vec3<Work> held{0, 0, 0};
             force = pressed * at.normal;
             if constexpr (friction) {
@@ -96,13 +106,46 @@ private:
         share(i, now, gap < 0, here, force, rubbing, stiffness, total);
     }
 
-    /// k_n between contactor and face. A closed spring keeps the one it closed with, so that its
-    /// force has a potential also where the contactor comes to faces of other stiffness.
-    FPM_KERNEL Work stiffnessOf(Index i, Index face) const
+    /// What the target is to a contactor; where several faces have its foot in common, all of them:
+    /// the mean stiffness, since each bears an equal share with a spring of its own, the least
+    /// mass, and the thickness of whichever holds it longest. A closed spring keeps the stiffness
+    /// it closed with, so that its force has a potential also where the contactor comes to faces of
+    /// another.
+    FPM_KERNEL Partner partnerOf(Index i, const Tracked<Work>& now) const
     {
-        if (pair.heldStiffness && pair.law.spring[i] > 0 && pair.heldStiffness[i] > 0)
-            return pair.heldStiffness[i];
-        return pair.law.stiffness(i, pair.faceStiffness[face]);
+        const PairLaw<Work>& law = pair.law;
+        const Index face = now.face;
+        const bool damps = law.damps(),
+                   held = pair.heldStiffness && law.spring[i] > 0 && pair.heldStiffness[i] > 0;
+        Partner out{law.stiffness(i, pair.faceStiffness[face]),
+                    damps ? law.lesserMass(i, pair.faceMass[face]) : Work(0),
+                    Work(pair.faceThickness[face])};
+        const bool asked = damps || (pair.heldStiffness && !held) || -now.at.gap > out.thickness;
+        if (asked && isOnBorder(now.at.xi, now.at.eta)) addOthers(i, now, out);
+        if (held) out.stiffness = pair.heldStiffness[i];
+        return out;
+    }
+    FPM_KERNEL void addOthers(Index i, const Tracked<Work>& now, Partner& out) const
+    {
+        Work count = 1;
+        AroundFoot<Precision>{pair, i}.forEach(
+            {now.face, now.at.xi, now.at.eta}, [&](const Place<Work>& other, const Vec3<Work>&) {
+                const std::size_t face = std::size_t(other.face);
+                const Work thickness = Work(pair.faceThickness[face]);
+                if (thickness > out.thickness) out.thickness = thickness;
+                out.stiffness += pair.law.stiffness(i, pair.faceStiffness[face]);
+                count += 1;
+                if (!pair.law.damps()) return true;
+                const Work mass = pair.law.lesserMass(i, pair.faceMass[face]);
+                if (mass > 0 && !(out.mass > 0 && out.mass < mass)) out.mass = mass;
+                return true;
+            });
+        out.stiffness = out.stiffness / count;
+    }
+    FPM_KERNEL void letGo(Index i) const
+    {
+        pair.face[i] = releasedFace;
+        if (pair.injected) pair.injected[pair.contactorCount + i] = 0; // see relievedGap
     }
     /// No touch: no force. Who did not touch before has nothing to tell.
     FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
@@ -116,11 +159,6 @@ private:
     {
         return dot(Slip<Precision>{pair, i}.relativeWay(face, at), at.normal);
     }
-    FPM_KERNEL Work massOf(Index i, Index face) const
-    {
-        return pair.law.damps() ? pair.law.lesserMass(i, pair.faceMass[face]) : Work(0);
-    }
-
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
     /// contactor has come from another one, that face as it lies now hands it over. `here`: the
     /// faces at its foot; `held`: the force as it is stored.
@@ -151,7 +189,7 @@ private:
             law.storedFace[i] = face;
         }
         Vec3<Work> way = inPlane(measure.way(now, here, corners, origin), at.normal);
-        const AcrossMirrors<Work> across = measure.acrossMirrors(now, here);
+        const Directions<Work> across = measure.acrossMirrors(now, here);
         if (across.count > 0) {
             way = across.without(way);
             const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);

@@ -26,11 +26,14 @@ struct ForceScale {
 struct BlockForce {
     static constexpr Index parts = 8, values = 3 * parts;
     std::int64_t* sums; ///< [parts][3], fixed point
+    std::int64_t* each; ///< [contactor][3], of all blocks; null: not asked for
     bool alone;         ///< one thread works on the block
 
     FPM_KERNEL void add(Index i, const std::int64_t (&force)[3]) const
     {
         for (int c = 0; c < 3; ++c) add64(sums + 3 * (i % parts) + c, force[c], alone);
+        if (!each) return;
+        for (int c = 0; c < 3; ++c) each[3 * std::size_t(i) + std::size_t(c)] = force[c];
     }
 };
 

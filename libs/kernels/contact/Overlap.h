@@ -44,12 +44,15 @@ FPM_KERNEL typename Precision::Work relievedGap(const PairView<Precision>& pair,
     const Work relieved = gap + share * Work(pair.overlap[i]);
     if (!fades) return relieved;
     double& last = pair.injected[pair.contactorCount + i];
-    if (!(pair.clock->step > 0)) last = double(gap);
     const double forgiven = double(pair.forgivenShare(before) * whole);
+    if (!(pair.clock->step > 0))
+        last = double(gap);
+    else if (last == 0) // found since the last step: all of its depth was forgiven then
+        last = -forgiven;
     const double was = last + forgiven < 0 ? last + forgiven : 0,
                  is = relieved < 0 ? double(relieved) : 0, way = double(gap) - last;
     pair.injected[i] += 0.5 * double(stiffness) * (is * is - was * was - (is + was) * way);
-    last = double(gap);
+    last = pair.overlap[i] > 0 ? double(gap) : 0;
     return relieved;
 }
 

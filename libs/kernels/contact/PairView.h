@@ -94,13 +94,15 @@ struct PairView {
                              ///< in parts of ownNormalScale
     Index* face;
     Work *xi, *eta;
-    std::uint8_t* around; ///< what the last search found around it, as Around
-    std::int64_t* force;  ///< on each block of contactors this step, see BlockForce
-    std::int64_t* counts; ///< as PairCount
-    float* overlap;       ///< depth at which it was found, of which forgivenShare makes no force
-    Work* heldStiffness;  ///< k_n with which a contactor's spring closed; null: all faces have one
-    double* injected;     ///< work of overlaps that fade with time; null: they do not
-    double fadeTime;      ///< > 0: over which they do
+    std::uint8_t* around;         ///< what the last search found around it, as Around
+    std::int64_t* force;          ///< on each block of contactors this step, see BlockForce
+    std::int64_t* contactorForce; ///< on each contactor, where elements may be deleted, or null
+    std::int64_t* counts;         ///< as PairCount
+    float* overlap;      ///< depth at which it was found, of which forgivenShare makes no force
+    Work* heldStiffness; ///< k_n with which a contactor's spring closed; null: all faces have one
+    double* injected;    ///< work of overlaps that fade with time; null: they do not; second half:
+                         ///< gap at the last step, 0 where nothing is forgiven
+    double fadeTime;     ///< > 0: over which they do
 
     const Position* position;
     const Motion* velocity;

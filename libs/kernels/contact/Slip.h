@@ -5,34 +5,6 @@
 
 namespace fpm {
 
-/// Where a contactor is tracked: face and foot on it.
-template <class Work>
-struct Place {
-    Index face;
-    Work xi, eta;
-};
-
-/// Directions of the tangential plane, two at most, normal to each other.
-template <class Work>
-struct AcrossMirrors {
-    Vec3<Work> direction[2];
-    int count = 0;
-
-    /// What of a vector lies in the plane with this normal and is new.
-    FPM_KERNEL void add(const Vec3<Work>& vector, const Vec3<Work>& normal)
-    {
-        const Vec3<Work> part = without(inPlane(vector, normal));
-        const Work square = dot(part, part);
-        if (count < 2 && square > negligibleSquare<Work>() * dot(vector, vector))
-            direction[count++] = (Work(1) / squareRoot(square)) * part;
-    }
-    FPM_KERNEL Vec3<Work> without(Vec3<Work> vector) const
-    {
-        for (int k = 0; k < count; ++k) vector = vector - dot(vector, direction[k]) * direction[k];
-        return vector;
-    }
-};
-
 /// Measures how far a contactor slips along the target in a step, for friction.
 template <class Precision>
 struct Slip {
@@ -58,18 +30,24 @@ struct Slip {
                               const FaceCorners<Work>& corners,
                               const Place<Work>& last) const
     {
-        Vec3<Work> way = wayOver(now, here, corners, last);
-        if (Faces::isOnBorder(now.at.xi, now.at.eta) || Faces::isOnBorder(last.xi, last.eta))
-            way += wayBeyond(now, here, corners, last);
+        const Projection<Work>& at = now.at;
+        const bool stays = last.face == now.face && last.xi == at.xi && last.eta == at.eta,
+                   beyond = (isOnBorder(at.xi, at.eta) || isOnBorder(last.xi, last.eta))
+                            && isBeyond(at, corners, last);
+        if (stays && !beyond) return {0, 0, 0};
+        const Faces there(pair, i, last);
+        Vec3<Work> way{0, 0, 0};
+        if (!stays) way = wayOver(now, here, there, corners, last);
+        if (beyond) way += wayBeyond(at, here, there, corners);
         return way;
     }
 
     /// Where friction and its image cancel: directions out of the planes of symmetry that the
     /// contactor lies on, of the model, and where it stays in them inside a ridge or midway in a
     /// valley.
-    FPM_KERNEL AcrossMirrors<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
+    FPM_KERNEL Directions<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
-        AcrossMirrors<Work> out;
+        Directions<Work> out;
         for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
             if (mirrors >> k & 1) out.add(pair.mirror(k), now.at.normal);
         if (!now.ridge && here.count < 2) return out;
@@ -87,7 +65,7 @@ private:
     FPM_KERNEL void addMidway(const AnyFaces& faces,
                               const Tracked<Work>& now,
                               const Vec3<Work>& moved,
-                              AcrossMirrors<Work>& out) const
+                              Directions<Work>& out) const
     {
         for (int k = 1; k < faces.count; ++k)
             for (int j = 0; j < k; ++j) {
@@ -123,41 +101,51 @@ private:
     /// their sum does not.
     FPM_KERNEL Vec3<Work> wayOver(const Tracked<Work>& now,
                                   const Faces& here,
+                                  const Faces& there,
                                   const FaceCorners<Work>& corners,
                                   const Place<Work>& last) const
     {
         const Work xi = now.at.xi, eta = now.at.eta;
         Vec3<Work> foot;
-        if (last.face == now.face) {
-            if (last.xi == xi && last.eta == eta) return {0, 0, 0};
+        if (last.face == now.face)
             foot = slipOnFace(corners, last.xi, last.eta, xi, eta);
-        } else
+        else
             foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
                    - offsetOn(corners, xi, eta);
-        const Faces there(pair, i, last.face, last.xi, last.eta);
         return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
     }
 
-    /// Whether a place on a border of a face lies on a free edge.
+    /// Whether a place on a border of a face lies where the surface ends for the contactor.
     FPM_KERNEL bool isOnRim(const Place<Work>& at) const
     {
-        const Index* across = pair.neighbour + 4 * std::size_t(at.face);
-        return (at.xi * at.xi >= Work(1) && across[at.xi > 0 ? 1 : 3] == freeEdge)
-               || (at.eta * at.eta >= Work(1) && across[at.eta > 0 ? 2 : 0] == freeEdge);
+        return (isOnBorder(at.xi) && endsAt(at, edgeAtXi(at.xi)))
+               || (isOnBorder(at.eta) && endsAt(at, edgeAtEta(at.eta)));
+    }
+    FPM_KERNEL bool endsAt(const Place<Work>& at, int edge) const
+    {
+        Place<Work> other;
+        if (!placeAcross(pair, at, edge, other))
+            return pair.neighbour[4 * std::size_t(at.face) + std::size_t(edge)] == freeEdge;
+        const FaceCorners<Work> corners = pair.corners(other.face, pair.contactor[i]);
+        return looksAway(pair, i, gapAt(corners, other.xi, other.eta).normal);
     }
 
+    /// Whether what lies beyond where the surface ends counts, now or one step ago.
+    FPM_KERNEL bool isBeyond(const Projection<Work>& at,
+                             const FaceCorners<Work>& corners,
+                             const Place<Work>& last) const
+    {
+        const Vec3<Work> trimmed = offsetOn(corners, at.xi, at.eta) - at.offset;
+        return dot(trimmed, trimmed) > 0 || isOnRim(last);
+    }
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the faces there.
-    FPM_KERNEL Vec3<Work> wayBeyond(const Tracked<Work>& now,
+    FPM_KERNEL Vec3<Work> wayBeyond(const Projection<Work>& at,
                                     const Faces& here,
-                                    const FaceCorners<Work>& corners,
-                                    const Place<Work>& last) const
+                                    const Faces& there,
+                                    const FaceCorners<Work>& corners) const
     {
-        const Projection<Work>& at = now.at;
-        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta),
-                         trimmed = offset - at.offset; // what lies beyond where the surface ends
-        if (!(dot(trimmed, trimmed) > 0) && !isOnRim(last)) return {0, 0, 0};
-        const Faces there(pair, i, last.face, last.xi, last.eta);
+        const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta);
         Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
         for (int k = 0; k < here.count; ++k) after += inPlane(offset, here.normal[k]);
         for (int k = 0; k < there.count; ++k)

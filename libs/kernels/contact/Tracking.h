@@ -28,38 +28,11 @@ public:
     FPM_KERNEL SteadyContactors(const PairView<Precision>& pair, Index first)
     {
         alignas(T) Work corner[12][lanes], start[2][lanes], flat[lanes];
-        bool any = false;
-        for (int lane = 0; lane < lanes; ++lane) {
-            const Index i = first + lane;
-            const bool here = !pair.cold && i < pair.contactorCount && pair.face[i] >= 0
-                              && pair.around[i] == aroundFlat;
-            flat[lane] = Work(here);
-            any |= here;
-        }
-        if (!any) {
+        if (!areFlat(pair, first, flat)) {
             store(holds_, T(0));
             return;
         }
-        for (int lane = 0; lane < lanes; ++lane) {
-            const Index i = first + lane;
-            if (!(flat[lane] > 0)) {
-                start[0][lane] = start[1][lane] = 0;
-                for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
-                continue;
-            }
-            const Index face = pair.face[i];
-            start[0][lane] = pair.xi[i];
-            start[1][lane] = pair.eta[i];
-            const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
-            for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
-                prefetch(pair.sums.values + 4 * pair.contactNumberAt(face, k));
-            prefetch(pair.sums.values + 4 * std::size_t(pair.contactNumber[pair.contactor[i]]));
-            for (int k = 0; k < 4; ++k) {
-                corner[3 * k][lane] = corners.corner[k].x;
-                corner[3 * k + 1][lane] = corners.corner[k].y;
-                corner[3 * k + 2][lane] = corners.corner[k].z;
-            }
-        }
+        for (int lane = 0; lane < lanes; ++lane) fetch(pair, first, lane, flat, corner, start);
         FaceCorners<T> corners;
         for (int k = 0; k < 4; ++k)
             corners.corner[k] = {load<T>(corner[3 * k]), load<T>(corner[3 * k + 1]),
@@ -95,6 +68,46 @@ public:
     }
 
 private:
+    /// Which lanes have a face in reach of flat surface only; whether any has.
+    FPM_KERNEL static bool
+    areFlat(const PairView<Precision>& pair, Index first, Work (&flat)[lanes])
+    {
+        bool any = false;
+        for (int lane = 0; lane < lanes; ++lane) {
+            const Index i = first + lane;
+            const bool here = !pair.cold && i < pair.contactorCount && pair.face[i] >= 0
+                              && pair.around[i] == aroundFlat;
+            flat[lane] = Work(here);
+            any |= here;
+        }
+        return any;
+    }
+    /// Corners of the face of one lane, and where its contactor was on it.
+    FPM_KERNEL static void fetch(const PairView<Precision>& pair,
+                                 Index first,
+                                 int lane,
+                                 const Work (&flat)[lanes],
+                                 Work (&corner)[12][lanes],
+                                 Work (&start)[2][lanes])
+    {
+        if (!(flat[lane] > 0)) {
+            start[0][lane] = start[1][lane] = 0;
+            for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
+            return;
+        }
+        const Index i = first + lane, face = pair.face[i];
+        start[0][lane] = pair.xi[i];
+        start[1][lane] = pair.eta[i];
+        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
+            prefetch(pair.sums.values + 4 * pair.contactNumberAt(face, k));
+        prefetch(pair.sums.values + 4 * std::size_t(pair.contactNumber[pair.contactor[i]]));
+        for (int k = 0; k < 4; ++k) {
+            corner[3 * k][lane] = corners.corner[k].x;
+            corner[3 * k + 1][lane] = corners.corner[k].y;
+            corner[3 * k + 2][lane] = corners.corner[k].z;
+        }
+    }
     /// Inside, and nearer to an edge than a tenth of its depth: inside a ridge, even one so blunt
     /// that its faces count as flat, other faces may be as near.
     FPM_KERNEL static MaskOf<T> nearsRidge(const FaceCorners<T>& corners, const Projection<T>& at)
@@ -175,8 +188,9 @@ private:
         });
     }
 
-    /// Moves to a face that is nearer by more than rounding. `ridge`: both are as near, each with
-    /// a foot inside it.
+    /// Moves to a face that is nearer by more than rounding; of those with one foot in common, from
+    /// one that looks away to one that does not, or they would share the contactor with it or not
+    /// as it is tracked. `ridge`: both are as near, each with a foot inside it.
     FPM_KERNEL bool moved(
         Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
@@ -184,19 +198,28 @@ private:
         const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
+        bool turnedAway = false;
         if (isAsNear(found.square, here.point.square, size)) {
             const bool inside = found.where == insideFace && here.point.where == insideFace,
                        apart = areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
                                           offsetOn(there, found.xi, found.eta), size);
             ridge = ridge || (inside && apart);
-            if (inside || !apart) return false; // to hop on one point would be rounding
+            turnedAway = !apart && looksAway(pair, i, normalAt(corners, here.point));
+            // To hop on one point would be rounding.
+            if (!turnedAway && (inside || !apart)) return false;
         }
-        if (!(found.square < less * here.point.square)
-            || looksAway(pair, i, gapAt(there, found.xi, found.eta).normal))
+        if (!(turnedAway || found.square < less * here.point.square)
+            || looksAway(pair, i, normalAt(there, found)))
             return false;
         here = {other, found, 0};
         corners = there;
         return true;
+    }
+
+    FPM_KERNEL static Vec3<Work> normalAt(const FaceCorners<Work>& face,
+                                          const FacePoint<Work>& point)
+    {
+        return gapAt(face, point.xi, point.eta).normal;
     }
 
     /// Moves to a neighbour that is nearer by more than rounding, if there is one.

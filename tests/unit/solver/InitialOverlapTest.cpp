@@ -124,9 +124,9 @@ TEST(InitialOverlap, RampBringsTheForceGentlyAndBooksItsWork)
     EXPECT_LT(fastest, 0.3 * pushed);
 }
 
-TEST(InitialOverlap, NodesThatComeInSidewaysGetNoForceFromTheirDepth)
+/// A block led from beside an open table, 0.1 below its top, in under it.
+Model cameInSideways()
 {
-    // A block led from beside an open table, 0.1 below its top, in under it.
     Model model;
     addBox(model.mesh, "table", {4, 4, 1}, {0, 0, -1}, {4, 4, 1});
     addBox(model.mesh, "block", {1, 1, 1}, {-1.5, 1.1, -0.1}, {1, 1, 1});
@@ -141,12 +141,47 @@ TEST(InitialOverlap, NodesThatComeInSidewaysGetNoForceFromTheirDepth)
     addContact(model, "touch", facing(model.mesh, "block", {0, 0, -1}),
                facing(model.mesh, "table", {0, 0, 1}));
     model.control.backend = "serial";
-    const auto solver = startedSolver(model);
+    return model;
+}
+
+TEST(InitialOverlap, NodesThatComeInSidewaysGetNoForceFromTheirDepth)
+{
+    const auto solver = startedSolver(cameInSideways());
     while (solver->clock().time < 3e-6) {
         solver->advance(3e-6, 10);
         EXPECT_NEAR(solver->energies().contact, 0, 1e-9);
     }
     EXPECT_GE(solver->pairForce(0).inside, 4);
+}
+
+/// While depths fade, what comes in fades with them: it starts without force, has all of it at the
+/// end, and what that puts into springs is booked as work from outside.
+TEST(InitialOverlap, WhatIsFirstFoundInsideInMidRampFadesWithTheRest)
+{
+    Model model = cameInSideways();
+    model.contactPairs[0].initialOverlap = InitialOverlap::ramp;
+    model.contactPairs[0].rampTime = 2.5e-6;
+    model.control.fixedTimeStep = 2e-8;
+    const auto solver = startedSolver(model);
+    double last = 0, jump = 0;
+    std::int64_t found = 0;
+    double foundAt = 0;
+    while (solver->clock().time < 3e-6) {
+        solver->advance(3e-6, 1);
+        const Energies e = solver->energies();
+        const std::int64_t inside = solver->pairForce(0).inside;
+        if (inside > found) foundAt = e.time;
+        jump = std::max(jump, std::abs(e.contact - last));
+        last = e.contact;
+        found = inside;
+        EXPECT_NEAR(e.external, e.total - e.kinetic, 1e-3 * 0.01 * 70000.0 / 3) << e.time;
+    }
+    const PairForce end = solver->pairForce(0);
+    EXPECT_GT(foundAt, 4e-7);
+    EXPECT_LT(foundAt, 2e-6);
+    ASSERT_EQ(end.active, 4);
+    EXPECT_NEAR(end.spring, 4 * 0.5 * 70000.0 / 3 * 0.1 * 0.1 * 2.5, 1);
+    EXPECT_LT(jump, 0.06 * last);
 }
 
 } // namespace

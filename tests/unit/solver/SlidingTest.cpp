@@ -73,6 +73,30 @@ Model gradedSlider(double friction)
     return model;
 }
 
+/// Pairs with friction have a kernel of their own: where it is all but none it does as the other.
+TEST(Sliding, AllButNoFrictionIsNone)
+{
+    const auto wavy = [](double x) { return 0.1 * std::sin(2 * x); };
+    Model model = slider(wavy, 0.3, 0.06, {1e6, 0, 0});
+    const auto smooth = startedSolver(model);
+    model.contactPairs[0].friction = 1e-12;
+    const auto rough = startedSolver(model);
+    double most = 0, apart = 0;
+    for (double travelled = 0; travelled < 8; travelled += 1e6 * smooth->clock().step) {
+        smooth->advance(1, 1);
+        rough->advance(1, 1);
+        const PairForce a = smooth->pairForce(0), b = rough->pairForce(0);
+        ASSERT_EQ(a.active, b.active) << "after " << travelled << " mm";
+        for (std::size_t c = 0; c < 3; ++c) {
+            most = std::max(most, std::abs(a.force[c]));
+            apart = std::max(apart, std::abs(a.force[c] - b.force[c]));
+        }
+    }
+    EXPECT_GT(most, 100);
+    EXPECT_LT(apart, 1e-11 * most);
+    EXPECT_LT(rough->pairForce(0).friction, 1e-11 * most);
+}
+
 TEST(Sliding, FacesOfOtherStiffnessNeitherJerkNorMakeEnergy)
 {
     // A spring that took the stiffness of each face, which goes with its area, would jump by 10 %

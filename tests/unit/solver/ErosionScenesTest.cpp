@@ -1,0 +1,107 @@
+#include "unit/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace fpm::test {
+namespace {
+
+/// A stiff stamp through a soft plate, in a plane x = 0 of mirror symmetry: whole, or its half
+/// x >= 0.
+Model punch(bool half, double friction)
+{
+    Model model;
+    const Index sides = half ? 1 : 2;
+    const auto low = [&](double width) { return half ? 0 : -width; };
+    addBox(model.mesh, "plate", {3 * sides, 6, 2}, {low(3), -3, -1}, {3.0 * sides, 6, 1});
+    addBox(model.mesh, "stamp", {2 * sides, 3, 4}, {low(1.3), -0.9, 0.01}, {1.3 * sides, 1.8, 4});
+    renumber(model.mesh, 32);
+    Part soft = aluminium(PartKind::elastoplastic, HourglassForm::stiffness, "plate");
+    soft.erosion.plasticStrain = 0.3;
+    Part stiff = aluminium(PartKind::elastic, HourglassForm::stiffness, "stamp");
+    stiff.youngsModulus = 210000;
+    stiff.density = 7.85e-9;
+    model.parts = {soft, stiff};
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) {
+                  return std::max(std::abs(p[0]), std::abs(p[1])) > 2.99;
+              }));
+    if (half) {
+        model.boundaryConditions.push_back(condition(
+            BoundaryCondition::Kind::fixed, "mirror",
+            nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }), {true, false, false}));
+        model.boundaryConditions.back().mirror = true;
+    }
+    model.initialVelocities.push_back({"fall", nodesOfPart(model.mesh, "stamp"), {0, 0, -4e5}});
+    addContact(model, "touch", facing(model.mesh, "stamp", {0, 0, -1}),
+               facing(model.mesh, "plate", {0, 0, 1}))
+        .friction = friction;
+    model.control.backend = "serial";
+    model.control.endTime = 1;
+    return model;
+}
+
+std::ptrdiff_t deletedIn(Solver& solver)
+{
+    return std::ranges::count(solver.elementValues().deleted, true);
+}
+
+/// Surfaces renewed where elements were deleted go on at the plane of symmetry as they did before.
+TEST(Mirror, HalfTheModelErodesAsTheWholeOneDoes)
+{
+    for (const double friction : {0.0, 0.3}) {
+        const auto whole = startedSolver(punch(false, friction)),
+                   half = startedSolver(punch(true, friction));
+        double most = 0, apart = 0;
+        for (int look = 0; look < 28; ++look) {
+            whole->advance(1, 10);
+            half->advance(1, 10);
+            ASSERT_FALSE(whole->clock().failed || half->clock().failed);
+            ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-6 * whole->clock().time);
+            ASSERT_EQ(2 * deletedIn(*half), deletedIn(*whole)) << "look " << look;
+            const Point a = whole->pairForce(0).force, b = half->pairForce(0).force;
+            most = std::max(most, std::abs(a[2]));
+            apart = std::max(apart, std::abs(2 * b[2] - a[2]));
+        }
+        EXPECT_GT(deletedIn(*whole), 16);
+        EXPECT_LT(apart, 1e-10 * most) << "friction " << friction;
+        EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
+                    1e-10 * whole->energies().friction);
+    }
+}
+
+/// The force of a pair is that of the contactors that stay, also before the step after a deletion.
+TEST(Erosion, ForcesOfContactorsThatHaveLeftCountNoMore)
+{
+    Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
+    part.erosion.plasticStrain = 0.01;
+    Model model = boxModel({2, 1, 1}, {2, 1, 1}, part);
+    addBox(model.mesh, "lid", {3, 2, 1}, {0.1, 0.1, 0.99}, {1.8, 0.8, 0.5});
+    renumber(model.mesh);
+    model.parts.push_back(aluminium(PartKind::elastic, HourglassForm::stiffness, "lid"));
+    const std::vector<Index> left = nodesWhere(model.mesh, [](Point p) { return p[0] < 1e-9; });
+    model.boundaryConditions.push_back(condition(BoundaryCondition::Kind::velocity, "crush", left,
+                                                 {true, true, true}, {1e4, 0, 0}));
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[0] > 1e-9; }));
+    addContact(model, "touch", facing(model.mesh, "lid", {0, 0, -1}),
+               facing(model.mesh, "box", {0, 0, 1}));
+    model.control.backend = "serial";
+    for (const double friction : {0.0, 0.2}) {
+        model.contactPairs[0].friction = friction;
+        const auto solver = startedSolver(model);
+        const double whole = solver->pairForce(0).force[2];
+        EXPECT_EQ(solver->pairForce(0).active, 12);
+        while (solver->clock().deletions == 0 && solver->clock().time < 8e-5)
+            solver->advance(9e-5, 1);
+        ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
+        const PairForce renewed = solver->pairForce(0);
+        EXPECT_EQ(renewed.active, 6);
+        EXPECT_NEAR(renewed.force[2], 0.5 * whole, 1e-9 * whole);
+        solver->advance(9e-5, 1);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(solver->pairForce(0).force[c], renewed.force[c], 1e-9 * whole);
+    }
+}
+
+} // namespace
+} // namespace fpm::test
