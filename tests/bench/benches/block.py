@@ -52,17 +52,18 @@ def measure(binaries, n, steps, repeats, variants):
 
 
 def run(machine, options):
-    rows = []
+    """Rows of one size after the other."""
     for n in options.sizes:
         largest = n == max(options.sizes)
         print(f"block {n}^3", flush=True)
         # Long enough for the clock, short enough for a million elements on one core.
         steps = options.steps or max(5, min(500, 2_000_000 // n**3))
+        rows = []
         if "cpu" in options.on:
             rows += measure(machine.binaries, n, steps, options.repeats,
                             cpuVariants(machine.cores, largest))
         if machine.gpu and "gpu" in options.on:
             rows += measure(machine.binaries, n, options.steps or 200, options.repeats,
                             gpuVariants(largest))
-    unique = {(row.case, row.way()): row for row in rows}  # auto is one of the vector widths
-    return list(unique.values())
+        unique = {(row.case, row.way()): row for row in rows}  # auto is one of the vector widths
+        yield list(unique.values())
