@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/contact/PairSums.h"
 #include "kernels/contact/Search.h"
 #include "kernels/contact/Travel.h"
 #include "parallel/Array.h"
@@ -50,7 +51,8 @@ struct PairState {
     Of<Work> contactorStiffness, contactorMass, faceMass, heldStiffness;
     Of<std::int64_t> force, contactorForce; ///< of faces, see BlockForce
     Of<double> surfaceForce;                ///< of an analytic surface on each contactor
-    Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected;
+    Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected,
+        sums; ///< of blocks, see PairSums
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
 
@@ -106,6 +108,7 @@ struct PairState {
           damped(damps(pair) ? pair.contactor.size() : 0),
           surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
           injected(pair.fadeTime > 0 ? 2 * pair.contactor.size() : 0),
+          sums(pairSums * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))),
           counts(pairCounts)
     {
         const bool faces = pair.search == ContactSearch::faces;
@@ -191,15 +194,6 @@ struct PairState {
                 .limitFactor = Work(dampingLimit(l))};
     }
 
-    /// Of the faces on all contactors, fixed point.
-    std::array<std::int64_t, 3> forceSum() const
-    {
-        std::array<std::int64_t, 3> sum{};
-        const std::vector<std::int64_t> parts = force.toHost();
-        for (std::size_t k = 0; k < parts.size(); ++k) sum[k % 3] += parts[k];
-        return sum;
-    }
-
     CellLists cells(const PairData& pair)
     {
         return {head.data(), entries.data(), mask, pair.cellSize, pair.levels};
@@ -217,8 +211,8 @@ struct PairState {
              {&mirrorNormal, &faceStiffness, &xi, &eta, &friction, &contactorStiffness,
               &contactorMass, &faceMass, &heldStiffness})
             sum += array->bytes();
-        for (const Of<double>* array :
-             {&surfaceForce, &spring, &dissipated, &dampingForce, &damped, &surfaceWork, &injected})
+        for (const Of<double>* array : {&surfaceForce, &spring, &dissipated, &dampingForce, &damped,
+                                        &surfaceWork, &injected, &sums})
             sum += array->bytes();
         for (const Of<std::uint8_t>* array : {&mayMeet, &around, &shared, &mirrors})
             sum += array->bytes();

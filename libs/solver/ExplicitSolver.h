@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "kernels/contact/ContactForce.h"
+#include "kernels/contact/PairSums.h"
 #include "kernels/contact/RigidSurface.h"
 #include "kernels/contact/Travel.h"
 #include "kernels/element/ElementPass.h"
@@ -54,6 +55,7 @@ private:
 
     void computeForces();
     void integrate();
+    void moveClock();
     void relax();
     void elementPasses();
     template <class Material, class Hourglass>
@@ -87,6 +89,7 @@ private:
     Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
+    std::array<double, pairSums> sumsOf(std::size_t pass);
 
     SolverData data_;
     double massDamping_;
@@ -193,6 +196,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
     }
+    if (now.time >= time) moveClock();
     times_.total += secondsSince(begin);
 }
 
@@ -221,13 +225,7 @@ void ExplicitSolver<Precision, Executor>::integrate()
 {
     executor_.timed(times_.node, [&] {
         if (data_.relaxation.tolerance > 0) relax();
-        const ClockPass clockPass{state_.patchStep.data(),
-                                  Index(state_.patchStep.size()),
-                                  state_.contactLimit.data(),
-                                  Index(state_.contactLimit.size()),
-                                  rules_,
-                                  state_.clock.data()};
-        executor_.parallelBlocks(1, ClockPass::scratch(), clockPass);
+        moveClock();
         NodePass<Precision> nodes = nodePass();
         if (data_.sharesNodes) {
             nodes.list = state_.listedNodes.data();
@@ -236,6 +234,19 @@ void ExplicitSolver<Precision, Executor>::integrate()
         executor_.parallelBlocks(Index(state_.blocks(nodes.nodeCount)), nodeScratch(), nodes);
         if (!data_.body.bodies.empty()) moveBodies();
     });
+}
+
+/// Where no step follows, judges the state that was reached.
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::moveClock()
+{
+    const ClockPass pass{state_.patchStep.data(),
+                         Index(state_.patchStep.size()),
+                         state_.contactLimit.data(),
+                         Index(state_.contactLimit.size()),
+                         rules_,
+                         state_.clock.data()};
+    executor_.parallelBlocks(1, ClockPass::scratch(), pass);
 }
 
 template <class Precision, class Executor>

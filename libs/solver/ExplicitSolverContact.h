@@ -94,7 +94,7 @@ void ExplicitSolver<Precision, Executor>::lookAtContact(Index steps)
     for (std::size_t k = 0; k < state_.searches.size(); ++k)
         plans.push_back(state_.searches[k].plan(
             state_.contactTravel.data(), state_.passSearches.data() + k,
-            state_.pairs[state_.searches[k].number].counts.data() + countLate, rules_.growth, steps,
+            state_.pairs[state_.searches[k].number].counts.data() + countLate, rules_, steps,
             state_.clock.data()));
     planSearches(executor_, plans, state_.passSearches.data(), state_.clock.data());
     rememberPositions(state_.clock.data());

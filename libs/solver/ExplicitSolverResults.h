@@ -67,13 +67,13 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     out.contactDamping = lost_.contactDamping;
     out.external = lost_.external;
     double faded = 0; // what the end of forgiven overlaps put into springs
-    for (const auto& pair : state_.pairs) {
-        for (const double energy : pair.spring.toHost()) out.contact += energy;
-        for (const double energy : pair.dissipated.toHost()) out.friction += energy;
-        for (const double energy : pair.damped.toHost()) out.contactDamping += energy;
-        for (const double work : pair.surfaceWork.toHost()) out.external += work;
-        const std::vector<double> injected = pair.injected.toHost();
-        for (std::size_t i = 0; i < injected.size() / 2; ++i) faded += injected[i];
+    for (std::size_t pass = 0; pass < state_.pairs.size(); ++pass) {
+        const std::array<double, pairSums> sums = sumsOf(pass);
+        out.contact += sums[sumSpring];
+        out.friction += sums[sumDissipated];
+        out.contactDamping += sums[sumDamped];
+        out.external += sums[sumSurfaceWork];
+        faded += sums[sumInjected];
     }
     if (ledger_) {
         const auto sums = works();
@@ -90,6 +90,24 @@ Energies ExplicitSolver<Precision, Executor>::energies()
         std::max({out.kinetic, out.internal, std::abs(out.external), lost, startEnergy_});
     out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
     return out;
+}
+
+/// Over the contactors of a pass, added up on the device: a history row must not copy them all.
+template <class Precision, class Executor>
+std::array<double, pairSums> ExplicitSolver<Precision, Executor>::sumsOf(std::size_t pass)
+{
+    PairState<Precision, Executor>& s = state_.pairs[pass];
+    const Index count = Index(s.contactor.size()), blocks = NodeBlocks::blocks(count);
+    executor_.parallelBlocks(blocks, PairSums::scratch(),
+                             PairSums{count, s.spring.data(), s.dissipated.data(), s.damped.data(),
+                                      s.surfaceWork.data(), s.injected.data(),
+                                      s.surfaceForce.data(), s.force.data(), data_.contactScale,
+                                      s.sums.data()});
+    executor_.synchronize();
+    std::array<double, pairSums> total{};
+    const std::vector<double> parts = s.sums.toHost();
+    for (std::size_t k = 0; k < parts.size(); ++k) total[k % pairSums] += parts[k];
+    return total;
 }
 
 template <class Precision, class Executor>
@@ -109,23 +127,14 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
     PairForce out;
     for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
         if (data_.pairs[pass].pair != number) continue;
-        const auto& pair = state_.pairs[pass];
-        const std::array<std::int64_t, 3> sum = pair.forceSum();
-        const std::vector<double> onSurface = pair.surfaceForce.toHost();
-        const std::size_t count = onSurface.size() / 3;
+        const std::array<double, pairSums> sums = sumsOf(pass);
         const double sign = data_.pairs[pass].reversed ? -1 : 1;
-        for (std::size_t c = 0; c < 3; ++c) {
-            double force = data_.contactScale.toForce(sum[c]);
-            for (std::size_t i = 0; i < count; ++i) force += onSurface[c * count + i];
-            out.force[c] += sign * force;
-        }
-        for (const double energy : pair.spring.toHost()) {
-            out.active += energy > 0;
-            out.spring += energy;
-        }
-        for (const double energy : pair.dissipated.toHost()) out.friction += energy;
-        for (const double energy : pair.damped.toHost()) out.damping += energy;
-        const std::vector<std::int64_t> counts = pair.counts.toHost();
+        for (std::size_t c = 0; c < 3; ++c) out.force[c] += sign * sums[sumForce + c];
+        out.active += Index(sums[sumTouching]);
+        out.spring += sums[sumSpring];
+        out.friction += sums[sumDissipated];
+        out.damping += sums[sumDamped];
+        const std::vector<std::int64_t> counts = state_.pairs[pass].counts.toHost();
         out.released += counts[countReleased];
         out.overEdge += counts[countOverEdge];
         out.inside += counts[countInside];

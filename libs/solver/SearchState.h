@@ -41,12 +41,11 @@ struct SearchState {
         return grows;
     }
 
-    /// `travel`: see ContactTravel; `growth`: largest ratio of successive steps; `horizon`: of them
-    /// until the next look.
+    /// `travel`: see ContactTravel; `horizon`: steps until the next look.
     SearchPlan plan(const double* travel,
                     PassSearch* pass,
                     std::int64_t* late,
-                    double growth,
+                    const StepRules& rules,
                     Index horizon,
                     StepClock* clock)
     {
@@ -65,7 +64,8 @@ struct SearchState {
                 pass,
                 list.data(),
                 late,
-                growth,
+                rules.growth,
+                rules.fixedStep,
                 horizon,
                 clock};
     }

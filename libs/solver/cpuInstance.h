@@ -15,7 +15,7 @@ std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, con
     // Enough for the largest patch a mesh may have (2048 nodes).
     const std::size_t scratch =
         std::max({elementScratch<typename Precision::Work>(2048), nodeScratch(), bodyScratch(),
-                  relaxationScratch(), PlanPass::scratch()});
+                  relaxationScratch(), PlanPass::scratch(), PairSums::scratch()});
     return std::make_unique<ExplicitSolver<Precision, CpuExecutor<Bits>>>(
         model, CpuExecutor<Bits>(threads, scratch), description, audit);
 }

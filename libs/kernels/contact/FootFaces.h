@@ -190,6 +190,15 @@ private:
                 add(other, there);
                 return count < most;
             });
+        if (count > 1 && looksAway(pair, i, normal[0])) leaveOut(0);
+    }
+    FPM_KERNEL void leaveOut(int k)
+    {
+        --count;
+        face[k] = face[count];
+        xi[k] = xi[count];
+        eta[k] = eta[count];
+        normal[k] = normal[count];
     }
     FPM_KERNEL void add(const Place<Work>& place, const Vec3<Work>& there)
     {

@@ -113,6 +113,7 @@ private:
     FPM_KERNEL void forgive(Index i, Work gap) const
     {
         pair.overlap[i] = 0;
+        if (pair.injected) pair.injected[pair.contactorCount + i] = 0; // see relievedGap
         if (!(gap < 0)) return;
         pair.overlap[i] =
             notLess(pair.fadeTime > 0 ? -gap / pair.forgivenShare(pair.clock->time) : -gap);

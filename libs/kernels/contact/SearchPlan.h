@@ -49,11 +49,15 @@ struct SearchPlan {
     PassSearch* pass;
     Index* list; ///< numbers of the blocks that search now
     std::int64_t* late;
-    double growth; ///< largest ratio of successive steps
-    Index horizon; ///< steps until the next look
+    double growth;    ///< largest ratio of successive steps
+    double fixedStep; ///< > 0: they have this size, but for one that meets a time
+    Index horizon;    ///< steps until the next look
     StepClock* clock;
 
-    FPM_KERNEL double timePerStep() const { return haste * growth * clock->step; }
+    FPM_KERNEL double timePerStep() const
+    {
+        return haste * (fixedStep > 0 ? fixedStep : growth * clock->step);
+    }
     /// Square of the largest way (0) or speed (1) in blocks of contact nodes.
     FPM_KERNEL double
     largest(const Index* numbers, Index begin, Index end, Index stride, int which) const
@@ -82,6 +86,10 @@ struct JudgeBlocks {
     {
         const SearchPlan& p = plan;
         BlockSearch& block = p.blocks[number];
+        if (p.nearStart[number] == p.nearStart[number + 1]) { // until the pass is arranged anew
+            block = {0, 0, 0, p.horizon};
+            return;
+        }
         if (p.clock->searched) block.way = block.due ? 0 : block.way + block.come;
         block.come = both(number, 0);
         const double each = both(number, 1) * p.timePerStep(), way = block.way + block.come;
@@ -162,9 +170,9 @@ private:
         const double each = (::sqrt(most[lanes]) + ::sqrt(most[3 * lanes])) * p.timePerStep(),
                      left = (SearchPlan::nearness - 1) * p.reach - pass.way - pass.come;
         // What is near has to be known until the next look alone.
-        const Index next = steps > 1 ? steps : 1;
-        pass.whole = p.lasting(left, each) < next && !pass.fresh;
-        pass.fresh = 0;
+        const Index known = p.lasting(left, each), next = steps > 1 ? steps : 1;
+        pass.whole = known < next && !pass.fresh;
+        if (pass.fresh && known < steps) steps = known;
         pass.steps = steps;
     }
 };
@@ -185,6 +193,7 @@ struct PlanClock {
             searched = searched || pass.whole || pass.due > 0;
             pass.searches += pass.due > 0;
         }
+        for (Index k = 0; k < count && !whole; ++k) passes[k].fresh = 0; // a step follows
         clock->searched = searched;
         clock->waits = whole;
         clock->listsLast = clock->steps + (whole ? 0 : steps > 1 ? steps : 1);

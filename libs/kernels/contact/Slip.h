@@ -33,7 +33,7 @@ struct Slip {
         const Projection<Work>& at = now.at;
         const bool stays = last.face == now.face && last.xi == at.xi && last.eta == at.eta,
                    beyond = (isOnBorder(at.xi, at.eta) || isOnBorder(last.xi, last.eta))
-                            && isBeyond(at, corners, last);
+                            && isBeyond(at, corners, last, stays ? &here : nullptr);
         if (stays && !beyond) return {0, 0, 0};
         const Faces there(pair, i, last);
         Vec3<Work> way{0, 0, 0};
@@ -116,16 +116,22 @@ private:
     }
 
     /// Whether a place on a border of a face lies where the surface ends for the contactor.
-    FPM_KERNEL bool isOnRim(const Place<Work>& at) const
+    /// `known`: the faces that have it in common, null: to be found out.
+    FPM_KERNEL bool isOnRim(const Place<Work>& at, const Faces* known) const
     {
-        return (isOnBorder(at.xi) && endsAt(at, edgeAtXi(at.xi)))
-               || (isOnBorder(at.eta) && endsAt(at, edgeAtEta(at.eta)));
+        return (isOnBorder(at.xi) && endsAt(at, edgeAtXi(at.xi), known))
+               || (isOnBorder(at.eta) && endsAt(at, edgeAtEta(at.eta), known));
     }
-    FPM_KERNEL bool endsAt(const Place<Work>& at, int edge) const
+    FPM_KERNEL bool endsAt(const Place<Work>& at, int edge, const Faces* known) const
     {
         Place<Work> other;
         if (!placeAcross(pair, at, edge, other))
             return pair.neighbour[4 * std::size_t(at.face) + std::size_t(edge)] == freeEdge;
+        if (known) {
+            for (int k = 0; k < known->count; ++k)
+                if (known->face[k] == other.face) return false;
+            return known->count < Faces::most;
+        }
         const FaceCorners<Work> corners = pair.corners(other.face, pair.contactor[i]);
         return looksAway(pair, i, gapAt(corners, other.xi, other.eta).normal);
     }
@@ -133,10 +139,11 @@ private:
     /// Whether what lies beyond where the surface ends counts, now or one step ago.
     FPM_KERNEL bool isBeyond(const Projection<Work>& at,
                              const FaceCorners<Work>& corners,
-                             const Place<Work>& last) const
+                             const Place<Work>& last,
+                             const Faces* known) const
     {
         const Vec3<Work> trimmed = offsetOn(corners, at.xi, at.eta) - at.offset;
-        return dot(trimmed, trimmed) > 0 || isOnRim(last);
+        return dot(trimmed, trimmed) > 0 || isOnRim(last, known);
     }
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the faces there.

@@ -49,17 +49,18 @@ struct StepRules {
     double growth = 1.1;       ///< largest ratio of successive steps
 };
 
-/// Chooses dt^(n+1/2) from the bounds of this step and moves the clock by it.
+/// Chooses dt^(n+1/2) from the bounds of this step and moves the clock by it. A clock that stands
+/// still only judges them.
 FPM_KERNEL void
 advanceClock(StepClock& clock, const StepRules& rules, double elementStep, double contactSquare)
 {
-    clock.elementStep = elementStep;
-    clock.contactFrequency = ::sqrt(contactSquare);
     if (!(elementStep > 0) || !(elementStep < 1e300) || !(contactSquare >= 0)
         || !(contactSquare < 1e300))
         clock.failed = 1;
     if (!clock.mayStep()) clock.running = 0;
     if (!clock.running) return;
+    clock.elementStep = elementStep;
+    clock.contactFrequency = ::sqrt(contactSquare);
     const double elementSquare = 4 / (elementStep * elementStep);
     clock.stableStep = 2 / ::sqrt(elementSquare + contactSquare);
     if (rules.fixedStep > clock.stableStep && !rules.beyondBound) {

@@ -79,6 +79,19 @@ TEST(FootFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
     }
 }
 
+/// Nor where the contactor was before the tracker left it.
+TEST(FootFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
+{
+    OneContactor pair(0.3, valley(), 1, twoFaces(), {.looks = {std::sin(1.4), 0, -std::cos(1.4)}});
+    const auto view = pair.view();
+    for (const Place<double>& last : {Place<double>{0, 1, -0.2}, Place<double>{1, -1, -0.2}}) {
+        const FootFaces<DoublePrecision> there(view, 0, last);
+        ASSERT_EQ(there.count, 1);
+        EXPECT_EQ(there.face[0], 1);
+        EXPECT_EQ(there.xi[0], -1);
+    }
+}
+
 /// To a contactor the surface ends where the next face looks away as it does where there is none:
 /// the way beyond counts both ways.
 TEST(FootFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)

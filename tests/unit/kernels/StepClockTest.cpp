@@ -172,6 +172,19 @@ TEST(StepClock, StopsWithAFailureOnABoundThatIsNoStep)
     }
 }
 
+TEST(StepClock, StandingStillItOnlyJudges)
+{
+    StepClock clock = clockUntil(1);
+    advanceClock(clock, {}, 2, 0.04);
+    ASSERT_EQ(clock.time, 1);
+    advanceClock(clock, {}, 0.5, 9);
+    EXPECT_EQ(clock.elementStep, 2); // of the step that was made
+    EXPECT_EQ(clock.contactFrequency, 0.2);
+    EXPECT_EQ(clock.failed, 0);
+    advanceClock(clock, {}, 0, 0);
+    EXPECT_EQ(clock.failed, 1);
+}
+
 TEST(StepClock, PassTakesTheLeastElementStepAndTheStiffestContact)
 {
     const std::vector<double> steps{0.7, 0.2, 0.9, 0.4};

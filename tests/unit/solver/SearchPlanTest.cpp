@@ -45,6 +45,7 @@ public:
         passes_ = Array<PassSearch, Executor>(states_.size());
         clock_.stop = 1e9;
         clock_.step = 1;
+        rules.growth = 1;
         for (std::size_t pass = 0; pass < states_.size(); ++pass) arrange(pass);
     }
 
@@ -59,8 +60,8 @@ public:
         }
         std::vector<SearchPlan> plans;
         for (std::size_t pass = 0; pass < states_.size(); ++pass)
-            plans.push_back(
-                states_[pass].plan(travel.data(), passes_.data() + pass, &late_, 1, 10, &clock_));
+            plans.push_back(states_[pass].plan(travel.data(), passes_.data() + pass, &late_, rules,
+                                               10, &clock_));
         planSearches(executor_, plans, passes_.data(), &clock_);
         std::ostringstream text;
         for (std::size_t pass = 0; pass < states_.size(); ++pass) {
@@ -78,6 +79,9 @@ public:
     Index steps() const { return Index(clock_.listsLast - clock_.steps); }
     std::int64_t late() const { return late_; }
     const NearBlocks& near() const { return near_; }
+    StepClock& clock() { return clock_; }
+
+    StepRules rules;
 
 private:
     using Executor = CpuExecutor<64>;
@@ -107,6 +111,16 @@ Looks arranged(double reach, Index blocks, double spacing)
     for (std::size_t i = 0; i < count; ++i)
         positions[i] = spacing * double(Index(i) / travelBlock % blocks);
     return {twoPairs(reach, blocks), std::move(positions)};
+}
+
+/// One block a surface; the targets lie at x = distance.
+Looks apart(double reach, double distance)
+{
+    const std::size_t count = std::size_t(4 * travelBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        positions[i] = distance * double(Index(i) / travelBlock % 2);
+    return {twoPairs(reach, 1), std::move(positions)};
 }
 
 const std::vector<double> still(4, 0.0);
@@ -176,6 +190,37 @@ TEST(SearchPlan, WhereSomethingCameFromAfarAllSearchAgain)
     // It was arranged where it is: whatever its speed, the next look lets it go on.
     EXPECT_EQ(look(slow, ways), "");
     EXPECT_EQ(look.steps(), 1);
+}
+
+TEST(SearchPlan, AFixedStepIsForeseenAfterOneThatWasCut)
+{
+    Looks look = arranged(1, 1, 0);
+    look(still, still);
+    look.clock().step = 0.01; // to meet a time; the next ones are 1 again
+    look.rules.fixedStep = 1;
+    EXPECT_EQ(look({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
+}
+
+TEST(SearchPlan, WhatIsNearIsKnownForAsManyStepsAsFollow)
+{
+    // The target comes from afar, four reaches a step with all haste; no contactor is near it.
+    Looks look = apart(1, 200);
+    const std::vector<double> speeds{0, 4 / 1.5, 0, 0};
+    look(still, still);
+    EXPECT_EQ(look({0, 7, 0, 0}, speeds), "0: all");
+    EXPECT_EQ(look(still, speeds), "");
+    EXPECT_EQ(look.steps(), 1); // of the seven reaches
+    EXPECT_EQ(look.late(), 0);
+}
+
+TEST(SearchPlan, BlocksWithNothingNearDoNotSearch)
+{
+    Looks look = apart(1, 200);
+    look(still, still);
+    EXPECT_EQ(look({3, 0, 0, 0}, still), "");
+    EXPECT_EQ(look.steps(), 10);
+    EXPECT_EQ(look({8, 0, 0, 0}, still), "0: all"); // it may be near by now
+    EXPECT_EQ(look.late(), 0);
 }
 
 TEST(SearchPlan, ListsThatWereUsedForTooLongAreCounted)

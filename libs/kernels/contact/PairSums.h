@@ -1,0 +1,72 @@
+#pragma once
+
+#include "kernels/BlockSum.h"
+#include "kernels/contact/ForceSum.h"
+
+namespace fpm {
+
+/// What a pass holds and has lost, over its contactors. Order of the sums in PairSums::blockSum.
+enum PairSum {
+    sumSpring,
+    sumTouching, ///< contactors in touch
+    sumDissipated,
+    sumDamped,
+    sumSurfaceWork,
+    sumInjected,
+    sumForce, ///< of the contactors: x y z
+    pairSums = sumForce + 3
+};
+
+/// Adds up what is kept a contactor; one block = BlockForce's contactors.
+struct PairSums {
+    static constexpr Index block = 256;
+
+    Index count;
+    const double *spring, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
+    const double* surfaceForce;     ///< of an analytic surface, three planes; null:
+    const std::int64_t* blockForce; ///< of faces, see BlockForce
+    ForceScale scale;
+    double* blockSum; ///< [block][pairSums]
+
+    static constexpr std::size_t scratch()
+    {
+        return pairSums * block * sizeof(double) + blockSumScratch(pairSums);
+    }
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index number) const
+    {
+        double* values = reinterpret_cast<double*>(team.scratch());
+        double* partial = values + pairSums * block;
+        const Index first = number * block, size = count - first < block ? count - first : block;
+        team.forEach(size, [&](Index i) { fetch(std::size_t(first + i), values + i); });
+        team.barrier();
+        blockSums(team, pairSums, size, values, block, partial);
+        team.barrier();
+        double* out = blockSum + std::size_t(number) * pairSums;
+        team.forEach(pairSums, [&](Index k) {
+            out[k] = k >= sumForce && blockForce ? forceOf(number, k - sumForce)
+                                                 : blockSumResult(partial, k);
+        });
+    }
+
+private:
+    FPM_KERNEL void fetch(std::size_t i, double* out) const
+    {
+        const double* const from[] = {spring, nullptr, dissipated, damped, surfaceWork, injected};
+        for (int k = 0; k < sumForce; ++k) out[k * block] = from[k] ? from[k][i] : 0;
+        out[sumTouching * block] = spring[i] > 0 ? 1 : 0;
+        for (int c = 0; c < 3; ++c)
+            out[(sumForce + c) * block] =
+                surfaceForce ? surfaceForce[std::size_t(c) * std::size_t(count) + i] : 0;
+    }
+    FPM_KERNEL double forceOf(Index number, Index c) const
+    {
+        std::int64_t sum = 0;
+        for (Index part = 0; part < BlockForce::parts; ++part)
+            sum += blockForce[std::size_t(number) * BlockForce::values + std::size_t(3 * part + c)];
+        return scale.toForce(sum);
+    }
+};
+
+} // namespace fpm
