@@ -68,8 +68,18 @@ __global__ void __launch_bounds__(256) launchEach(Index count, Kernel kernel)
     if (i < count) kernel(i);
 }
 
+/// Blocks that a multiprocessor should hold at once, where a kernel tells: registers are shared.
 template <class Kernel>
-__global__ void __launch_bounds__(256) launchBlocks(Kernel kernel)
+constexpr int blocksPerProcessor()
+{
+    if constexpr (requires { Kernel::blocksPerProcessor; })
+        return Kernel::blocksPerProcessor;
+    else
+        return 1;
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(256, blocksPerProcessor<Kernel>()) launchBlocks(Kernel kernel)
 {
     extern __shared__ __align__(128) std::byte blockScratch[];
     kernel(CudaTeam(blockScratch), Index(blockIdx.x));

@@ -19,6 +19,8 @@ struct ContactForce {
     CellLists cells;
 
     static constexpr Index block = NodeBlocks::size;
+    /// Of a GPU: gathers wait for memory, and what spills then is the rare corner.
+    static constexpr int blocksPerProcessor = sizeof(Work) == 4 ? 2 : 1;
 
     /// Contactors of one block: those that lie over the face they are tracked on, most of them, as
     /// many lanes at a time as the team has; the others one by one.

@@ -64,6 +64,11 @@ struct ElementPass {
     Work strainPoint;
     bool movesInterior; ///< rather than NodePass
 
+    /// Of a GPU: with 128 registers a thread two blocks share a multiprocessor. Eight points need
+    /// twice as many, and so do doubles.
+    static constexpr int blocksPerProcessor =
+        sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration> ? 2 : 1;
+
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
     {
