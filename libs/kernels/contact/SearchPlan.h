@@ -113,11 +113,8 @@ private:
 struct PlanPass {
     SearchPlan plan;
 
-    static constexpr Index lanes = 256;
-    static constexpr std::size_t scratch()
-    {
-        return 4 * lanes * sizeof(double) + lanes * sizeof(Index);
-    }
+    static constexpr Index lanes = 256, groups = 16;
+    static constexpr std::size_t scratch() { return lanes * (4 * sizeof(double) + sizeof(Index)); }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index) const
@@ -140,7 +137,12 @@ struct PlanPass {
             }
         });
         team.barrier();
-        team.forEach(1, [=](Index) { decide(p, most, least); });
+        team.forEach(groups, [=](Index group) { gather(most, least, group, groups, lanes); });
+        team.barrier();
+        team.forEach(1, [=](Index) {
+            gather(most, least, 0, 1, groups);
+            decide(p, most, least[0]);
+        });
         team.barrier();
         team.forEach(p.blockCount, [=](Index b) {
             if (!p.blocks[b].due) return;
@@ -152,18 +154,20 @@ struct PlanPass {
     }
 
 private:
-    /// By one thread, from the largest of the lanes.
-    FPM_KERNEL static void decide(const SearchPlan& p, double* most, const Index* least)
+    /// Into a lane, those that lie `stride` apart after it.
+    FPM_KERNEL static void gather(double* most, Index* least, Index lane, Index stride, Index end)
+    {
+        for (Index from = lane + stride; from < end; from += stride) {
+            if (least[from] < least[lane]) least[lane] = least[from];
+            for (Index k = 0; k < 4 * lanes; k += lanes)
+                if (most[k + from] > most[k + lane]) most[k + lane] = most[k + from];
+        }
+    }
+    /// `most`, `steps`: of all lanes.
+    FPM_KERNEL static void decide(const SearchPlan& p, const double* most, Index steps)
     {
         PassSearch& pass = *p.pass;
         if (p.clock->searched) pass.way += pass.come;
-        Index steps = p.horizon;
-        for (Index lane = 0; lane < lanes; ++lane) {
-            steps = least[lane] < steps ? least[lane] : steps;
-            for (int k = 0; k < 4; ++k)
-                most[k * lanes] = most[k * lanes + lane] > most[k * lanes] ? most[k * lanes + lane]
-                                                                           : most[k * lanes];
-        }
         pass.come = ::sqrt(most[0]) + ::sqrt(most[2 * lanes]);
         if (pass.way + pass.come > SearchPlan::nearness * p.reach && !pass.fresh)
             atomicAdd64(p.late, 1);

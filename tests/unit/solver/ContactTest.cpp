@@ -122,10 +122,10 @@ TEST(Contact, ListsThatAJumpOutrunsAreTold)
     const auto late = [](double rest) {
         Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                                 aluminium(PartKind::elastic, HourglassForm::physical), {}, 0, 1);
-        model.boundaryConditions.push_back(
-            condition(BoundaryCondition::Kind::velocity, "jump", nodesOfPart(model.mesh, "upper"),
-                      {true, true, true}, {0, 0, 1.5e6},
-                      Amplitude{Amplitude::Kind::table, {{0, rest}, {3.5e-6, rest}, {3.51e-6, 1}}}));
+        model.boundaryConditions.push_back(condition(
+            BoundaryCondition::Kind::velocity, "jump", nodesOfPart(model.mesh, "upper"),
+            {true, true, true}, {0, 0, 1.5e6},
+            Amplitude{Amplitude::Kind::table, {{0, rest}, {3.5e-6, rest}, {3.51e-6, 1}}}));
         const auto solver = startedSolver(model);
         solver->advance(5e-6, 1000);
         EXPECT_GE(solver->clock().time, 5e-6);
