@@ -228,7 +228,11 @@ TEST_F(StandIn, AGraphReplaysWhatWasRecorded)
     Device<Index> out(1);
     Index step = 1;
     const auto ten = [&] {
-        executor.repeat(10, [] {}, [&] { executor.parallelFor(1, Count{out.data(), step}); });
+        executor.repeat(
+            10, [] {},
+            [&] {
+                executor.parallelFor(1, Count{out.data(), step});
+            });
     };
     ten(); // launched plainly, as a sample
     ten(); // recorded and replayed
