@@ -31,10 +31,11 @@ void reportContact(Solver& solver, const Model& model, Log& log)
                                "was held by the nearest three",
                                name, force.crowded));
         if (force.late > 0)
-            log.warning(format("pair {}: {} times blocks of contactors moved on further than their "
-                               "lists of faces reach before they searched again; set a smaller "
-                               "maximumTimeStep, or searchInterval 1",
-                               name, force.late));
+            log.warning(
+                format("pair {}: {} times blocks of contactors moved on further than their "
+                       "lists of faces reach before they searched again; set searchInterval 1 "
+                       "or a smaller timeStep.maximum",
+                       name, force.late));
         if (force.overEdge > 0)
             log.line(format("pair {}: {} times a contactor left the target over a free edge while "
                             "in touch",
