@@ -123,7 +123,7 @@ struct DeviceState {
     Of<double> contactLimit, contactTravel, searchOrigin;
     Of<float> searchOffset;
     std::vector<PairState<Precision, Executor>> pairs;
-    std::vector<SearchState<Executor>> searches; ///< of the passes that search faces
+    std::vector<SearchState<Executor>> searches; ///< of the passes whose lists last
     Of<PassSearch> passSearches;
     Of<StepClock> clock;
 
@@ -218,7 +218,7 @@ struct DeviceState {
         for (const auto& group : groupPatches) sum += group.bytes();
         for (const auto& pair : pairs) sum += pair.bytes();
         for (const auto& search : searches) sum += search.bytes();
-        return sum;
+        return sum + passSearches.bytes();
     }
 };
 

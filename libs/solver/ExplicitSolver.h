@@ -67,6 +67,8 @@ private:
     void searchAll(const StepClock* clock);
     void searchOne(std::size_t pass, const NodeBlocks& blocks);
     void searchNow();
+    template <class Body>
+    void searchByHost(const Body& body);
     void arrangeContact(bool all);
     void shareContactNodes(std::size_t place);
     NearBlocks::Positions contactPositions() const;
@@ -188,11 +190,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
             [&] { step(); });
         executor_.synchronize();
         now = clock();
-        if (now.waits) {
-            const auto waiting = std::chrono::steady_clock::now();
-            arrangeContact(false);
-            hostSearch_ += secondsSince(waiting);
-        }
+        if (now.waits) searchByHost([&] { arrangeContact(false); });
         if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
     }

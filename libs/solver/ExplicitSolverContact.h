@@ -117,20 +117,30 @@ void ExplicitSolver<Precision, Executor>::searchAll(const StepClock* clock)
         if (data_.pairs[pass].surface < 0) searchOne(pass, {nullptr, nullptr, clock});
 }
 
-/// By the host, between steps.
+/// Times what is searched between steps.
+template <class Precision, class Executor>
+template <class Body>
+void ExplicitSolver<Precision, Executor>::searchByHost(const Body& body)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    body();
+    executor_.synchronize();
+    hostSearch_ += secondsSince(begin);
+}
+
+/// All of it, between steps.
 template <class Precision, class Executor>
 void ExplicitSolver<Precision, Executor>::searchNow()
 {
-    const auto begin = std::chrono::steady_clock::now();
-    if (searching_ == Searching::lists) {
-        arrangeContact(true);
-        rememberPositions(nullptr);
-    } else {
-        searchAll(nullptr);
-        times_.searches += std::int64_t(nearBlocks_.passes().size());
-    }
-    executor_.synchronize();
-    hostSearch_ += secondsSince(begin);
+    searchByHost([&] {
+        if (searching_ == Searching::lists) {
+            arrangeContact(true);
+            rememberPositions(nullptr);
+        } else {
+            searchAll(nullptr);
+            times_.searches += std::int64_t(nearBlocks_.passes().size());
+        }
+    });
 }
 
 /// Searches the passes that wait for it, or all, as a whole and finds out what is near what.

@@ -120,27 +120,29 @@ struct PlanPass {
     FPM_KERNEL void operator()(const Team& team, Index) const
     {
         const SearchPlan p = plan;
+        constexpr Index used = Team::oneThread ? 1 : lanes;
         double* most = reinterpret_cast<double*>(team.scratch()); // [4][lane]: way, speed of each
         Index* least = reinterpret_cast<Index*>(most + 4 * lanes);
         PassSearch* pass = p.pass;
         team.forEach(1, [=](Index) { pass->due = 0; });
         team.barrier();
-        team.forEach(lanes, [=](Index lane) {
+        team.forEach(used, [=](Index lane) {
             Index steps = p.horizon;
-            for (Index b = lane; b < p.blockCount; b += lanes)
+            for (Index b = lane; b < p.blockCount; b += used)
                 if (p.blocks[b].steps < steps) steps = p.blocks[b].steps;
             least[lane] = steps;
             for (int which = 0; which < 2; ++which) {
-                most[which * lanes + lane] = p.largest(p.allOwn, lane, p.ownCount, lanes, which);
+                most[which * lanes + lane] = p.largest(p.allOwn, lane, p.ownCount, used, which);
                 most[(2 + which) * lanes + lane] =
-                    p.largest(p.allTarget, lane, p.targetCount, lanes, which);
+                    p.largest(p.allTarget, lane, p.targetCount, used, which);
             }
         });
         team.barrier();
-        team.forEach(groups, [=](Index group) { gather(most, least, group, groups, lanes); });
+        team.forEach(used < groups ? used : groups,
+                     [=](Index group) { gather(most, least, group, groups, used); });
         team.barrier();
         team.forEach(1, [=](Index) {
-            gather(most, least, 0, 1, groups);
+            gather(most, least, 0, 1, used < groups ? used : groups);
             decide(p, most, least[0]);
         });
         team.barrier();

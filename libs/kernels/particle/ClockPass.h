@@ -14,13 +14,14 @@ struct ClockPass {
     StepRules rules;
     StepClock* clock;
 
-    /// Least and most of any order are the same: as many lanes as a GPU block has threads.
-    static constexpr Index lanes = 256, groups = 16;
-    static constexpr std::size_t scratch() { return 2 * (lanes + groups) * sizeof(double); }
+    /// Least and most are the same in any order: as many lanes as there are threads.
+    static constexpr Index mostLanes = 256;
+    static constexpr std::size_t scratch() { return 2 * (mostLanes + 16) * sizeof(double); }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index) const
     {
+        constexpr Index lanes = Team::oneThread ? 1 : mostLanes, groups = Team::oneThread ? 1 : 16;
         double* bounds = reinterpret_cast<double*>(team.scratch());
         double* ofGroup = bounds + 2 * lanes;
         const Bounds elements{patchStep, patchCount}, contact{contactLimit, limitCount};
