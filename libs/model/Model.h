@@ -23,8 +23,8 @@ enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
 enum class HexahedronForm { reduced, selective };
 enum class HourglassForm { stiffness, viscous, physical };
 /// Physical form when the section yields.
-enum class HourglassPlastic { elastic, coupled, tangent };
-/// How the hourglass forces are kept between steps: in the working type, or as floats.
+enum class HourglassPlastic { elastic, coupled };
+/// How the hourglass state is kept between steps: in the working type, or as floats.
 enum class HourglassStorage { full, float_ };
 enum class RateDependence { none, cowperSymonds, johnsonCook };
 

@@ -34,11 +34,8 @@ void readHourglass(const Lineage& lineage, Part& part)
         preset = largest = 1.0;
     }
     part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
-    const std::string plastic =
-        entry.choiceOr("plastic", "coupled", {"elastic", "coupled", "tangent"});
-    part.hourglassPlastic = plastic == "elastic"   ? HourglassPlastic::elastic
-                            : plastic == "tangent" ? HourglassPlastic::tangent
-                                                   : HourglassPlastic::coupled;
+    if (entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic")
+        part.hourglassPlastic = HourglassPlastic::elastic;
     if (entry.choiceOr("storage", "full", {"full", "float"}) == "float")
         part.hourglassStorage = HourglassStorage::float_;
 }

@@ -43,8 +43,7 @@ convertedMaterials(const std::vector<MaterialConstants<double>>& from)
                       Work(g.inverseMeltingRange),
                       Work(g.erosionStrain),
                       g.erodes,
-                      g.erodesInverted,
-                      g.tangentHourglass};
+                      g.erodesInverted};
         for (int row = 0; row < m.rows; ++row) {
             to.strain[row] = Work(m.strain[row]);
             to.stress[row] = Work(m.stress[row]);

@@ -14,12 +14,6 @@ namespace fpm {
 
 namespace {
 
-bool softensHourglass(const Part& part)
-{
-    return part.kind == PartKind::elastoplastic && part.hourglass == HourglassForm::physical
-           && part.hourglassPlastic == HourglassPlastic::tangent;
-}
-
 static_assert(int(RateDependence::cowperSymonds) == int(RateLaw::cowperSymonds)
               && int(RateDependence::johnsonCook) == int(RateLaw::logarithmic));
 
@@ -33,7 +27,6 @@ GeneralConstants<double> generalConstants(const Part& part)
     const Flow& flow = part.flow;
     g.temperature = flow.temperature;
     if (part.kind != PartKind::elastoplastic) return g;
-    g.tangentHourglass = softensHourglass(part);
     g.kinematicModulus = flow.kinematicModulus;
     g.powerModulus = flow.powerModulus;
     g.powerExponent = flow.powerExponent;
@@ -89,9 +82,7 @@ MaterialConstants<double> materialConstants(const Part& part)
 bool needsGeneralPlasticity(const Part& part)
 {
     return part.rotation != RotationForm::midSurface || part.hexahedron == HexahedronForm::selective
-           || part.erosion.any()
-           || (part.kind == PartKind::elastoplastic
-               && (part.flow != Flow{} || softensHourglass(part)));
+           || part.erosion.any() || (part.kind == PartKind::elastoplastic && part.flow != Flow{});
 }
 
 namespace {

@@ -53,7 +53,6 @@ inline void addElements(std::vector<Scene>& scenes)
     flow.specificHeat = 9e8;
     flow.softeningExponent = 1;
     flow.meltingTemperature = 900;
-    general.parts[1].hourglassPlastic = HourglassPlastic::tangent;
     scenes.push_back({"kinematic, rate, heat", general});
     Model tabled = plain();
     tabled.parts[1].hardening = {{0, 285}, {0.01, 300}, {0.05, 320}};

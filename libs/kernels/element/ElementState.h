@@ -9,7 +9,7 @@ template <class T>
 struct ElementState {
     Sym3<T> stress;            ///< Cauchy, global axes
     T equivalentPlasticStrain; ///< negative: the element is deleted (Deletion.h)
-    Vec3<T> hourglass[4];      ///< generalised forces Q
+    Vec3<T> hourglass[4];      ///< forces Q_j, or strains c_j of the physical form
     Sym3<T> backstress;        ///< deviator; only parts with kinematic hardening
     T temperatureRise;         ///< since the start; only parts that heat
 };
@@ -18,7 +18,7 @@ struct ElementState {
 template <class T>
 struct ElementStep {
     T internal, hourglass, bulkViscosity; ///< work done in this step
-    T plastic; ///< dissipated by flow: part of internal and, where the section yields, of hourglass
+    T plastic;                            ///< dissipated by flow, also in bending: part of internal
     T plasticStrainIncrement;
     T stableTimeStep;       ///< Flanagan-Belytschko with bulk viscosity; <= 0 or NaN: inverted
     T temperatureIncrement; ///< only GeneralPlasticity

@@ -2,7 +2,7 @@
 
 #include "kernels/element/BulkViscosity.h"
 #include "kernels/element/Deletion.h"
-#include "kernels/element/Hourglass.h"
+#include "kernels/element/PhysicalHourglass.h"
 #include "kernels/element/RotationRules.h"
 #include "kernels/material/GeneralPlasticity.h"
 #include "kernels/material/SectionFlow.h"
@@ -51,45 +51,35 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T square = gradientSquare512(strainGradient) * T(Real(1) / Real(512));
     [[maybe_unused]] ElementState<T> start; // what the general options may have to come back to
     if constexpr (Material::general) start = state;
-    HourglassTrial<T> hourglass = Hourglass::template trial<T>(
+    auto hourglass = Hourglass::template trial<T>(
         m,
-        HourglassInput<T>{middle, w, l, rotation, volume, T(Real(64)) * inverseVolume64, square,
+        HourglassInput<T>{middle, x, w, l, rotation, volume, T(Real(64)) * inverseVolume64, square,
                           T(rate), density},
         state.hourglass);
 
     const Sym3<T> before = rotated(rotation, state.stress);
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};
-    T share = one; // of the trial hourglass forces that the section can bear
     T bent = zero; // plastic work of the bending per volume
     if constexpr (Material::plastic) {
+        Real kinematic = 0;
         if constexpr (Material::general) {
-            if (m.general.kinematicModulus > Real(0))
-                state.backstress = rotated(rotation, state.backstress);
-            const GeneralStep<T> flow = generalReturn<T>(
+            kinematic = m.general.kinematicModulus;
+            if (kinematic > Real(0)) state.backstress = rotated(rotation, state.backstress);
+            plastic = generalReturn<T>(
                 m, {state.equivalentPlasticStrain, hourglass.bending, state.temperatureRise, rate},
                 state.stress, state.backstress);
-            plastic = flow.plastic;
-            if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
-                if (m.general.tangentHourglass)
-                    Hourglass::followFlow(m, plastic.strainIncrement, flow.modulus, start.hourglass,
-                                          state.hourglass, hourglass);
         } else
             plastic =
                 radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
             if (m.coupledHourglass > Real(0)) {
-                share = one - plastic.reduction;
-                bent = plastic.reduction * share * hourglass.bendingEnergy;
-                bool centred = true; // a yield surface that moves keeps the equal share
-                if constexpr (Material::general) centred = !(m.general.kinematicModulus > Real(0));
-                if (centred) {
-                    const SectionFlow<T> section = flowOfSection<T>(
-                        m, hourglass.bending, hourglass.bendingEnergy, plastic, state.stress);
-                    share = section.bendingKept;
-                    bent = section.bendingWork;
-                }
-                for (int j = 0; j < 4; ++j) state.hourglass[j] = share * state.hourglass[j];
+                const T radial = one - plastic.reduction;
+                const SectionFlow<T> section =
+                    flowOfSection<T>(m, hourglass.bending, hourglass.bendingEnergy, kinematic,
+                                     plastic, state.stress, state.backstress);
+                bent = section.bendingWork;
+                Hourglass::yield(section.bendingKept, radial, state.hourglass, hourglass);
             }
     }
 
@@ -100,7 +90,8 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     if constexpr (Material::general)
         if (m.general.heatPerWork > Real(0))
             step.temperatureIncrement = T(m.general.heatPerWork) * step.plastic / mass;
-    step.internal = volume * (half * contract(before + state.stress, strain));
+    step.internal = fusedMultiplyAdd(volume, half * contract(before + state.stress, strain),
+                                     hourglass.bendingStart + hourglass.bendingTrial);
 
     // Largest frequency: omega^2 <= 8 (lambda + 2 mu) B B / (rho V^2) (Flanagan and Belytschko
     // 1984).
@@ -113,11 +104,10 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
         undamped * (squareRoot(fusedMultiplyAdd(damping, damping, one)) - damping);
     step.stableTimeStep = select(volume > zero, step.stableTimeStep, -one);
 
-    step.hourglass = fusedMultiplyAdd(share, hourglass.workTrial, hourglass.workStart);
+    step.hourglass = hourglass.workStart + hourglass.workTrial;
 
     // Force modes at the end of the step: sigma : B plus the orthogonal hourglass part.
     const Gradient<T> forceGradient = meanGradient(x);
-    const T inverse = one / forceGradient.volume64;
     const T sixtyFourth = T(Real(1) / Real(64));
     Mat3<T> s = matrix(sixtyFourth * state.stress);
     const T pressure = sixtyFourth * viscosity.pressure;
@@ -125,12 +115,22 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     s.y.y += pressure;
     s.z.z += pressure;
     Vec3<T> q[4];
-    for (int j = 0; j < 4; ++j) q[j] = state.hourglass[j];
     if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>) {
-        const Mat3<T> toGlobal = transpose(PhysicalHourglass::frame(x));
-        for (int j = 0; j < 4; ++j) q[j] = toGlobal * q[j];
+        const Sym3<T> section = Hourglass::forces(hourglass, x, q);
+        step.internal += volume * contract(section, strain);
+        s = s + matrix(sixtyFourth * section);
+        const T endVolume = sixtyFourth * forceGradient.volume64;
+        for (int j = 0; j < 4; ++j) {
+            addOuter(s, (-sixtyFourth) * q[j], x.mode[hourglassMode(j)]);
+            q[j] = endVolume * q[j];
+        }
+    } else {
+        const T inverse = one / forceGradient.volume64;
+        for (int j = 0; j < 4; ++j) {
+            q[j] = state.hourglass[j];
+            addOuter(s, (-inverse) * q[j], x.mode[hourglassMode(j)]);
+        }
     }
-    for (int j = 0; j < 4; ++j) addOuter(s, (-inverse) * q[j], x.mode[hourglassMode(j)]);
     for (int k = 1; k < 7; ++k) w.mode[k] = s * forceGradient.g[k];
     w.mode[7] = q[3];
     for (int j = 0; j < 3; ++j) w.mode[hourglassMode(j)] += q[j];
@@ -138,9 +138,11 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     step.deletes = zero;
     if constexpr (Material::general)
         if (m.general.erodes)
-            erode<T>(m, start, before, volume,
-                     {volume * (half * contract(before, strain)), hourglass.workStart}, step, state,
-                     w);
+            erode<T>(
+                m, start, before, volume,
+                {fusedMultiplyAdd(volume, half * contract(before, strain), hourglass.bendingStart),
+                 hourglass.workStart},
+                step, state, w);
     return step;
 }
 

@@ -146,8 +146,7 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
             state.backstress = rotated(spin.whole, state.backstress);
         plastic =
             generalReturn<T>(m, {state.equivalentPlasticStrain, zero, state.temperatureRise, rate},
-                             state.stress, state.backstress)
-                .plastic;
+                             state.stress, state.backstress);
     }
     ElementStep<T> step{};
     step.plasticStrainIncrement = plastic.strainIncrement;

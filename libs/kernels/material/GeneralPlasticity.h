@@ -24,12 +24,6 @@ struct GeneralPoint {
     ScalarOf<T> rate;  ///< 1 / step, 0 when the step is 0
 };
 
-template <class T>
-struct GeneralStep {
-    PlasticStep<T> plastic;
-    T modulus; ///< d(flow stress) / d(plastic strain) at the start, isotropic and kinematic
-};
-
 /// Largest number of Newton iterations of rateReturn; from its start five are enough for 1e-10 in
 /// all but extreme exponents (GeneralPlasticityTest).
 inline constexpr int returnIterations = 10;
@@ -117,7 +111,7 @@ FPM_KERNEL T tableReturn(const MaterialConstants<ScalarOf<T>>& m,
 /// rule. The temperature is that of the start of the step. `bending` as in radialReturn; what a
 /// section in bending can bear does not move with the backstress.
 template <class T>
-FPM_KERNEL GeneralStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
+FPM_KERNEL PlasticStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
                                         const GeneralPoint<T>& point,
                                         Sym3<T>& s,
                                         Sym3<T>& backstress)
@@ -125,15 +119,11 @@ FPM_KERNEL GeneralStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
     using Real = ScalarOf<T>;
     const GeneralConstants<Real>& g = m.general;
     const T zero = T(Real(0)), tiny = T(Real(1e-30));
-    GeneralStep<T> step{{zero, zero, zero}, zero};
-    if (m.rows == 0) return step;
+    if (m.rows == 0) return {zero, zero, zero};
     const bool curved = g.powerModulus > Real(0) || g.rateLaw != RateLaw::none;
     const YieldStress<T> curve = hardeningCurve(m, point.plasticStrain);
-    step.modulus = curve.slope + T(g.kinematicModulus);
-    if (!curved && !(g.kinematicModulus > Real(0)) && !(g.softeningExponent > Real(0))) {
-        step.plastic = radialReturn<T>(m, point.plasticStrain, point.bending, s);
-        return step;
-    }
+    if (!curved && !(g.kinematicModulus > Real(0)) && !(g.softeningExponent > Real(0)))
+        return radialReturn<T>(m, point.plasticStrain, point.bending, s);
 
     const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
     const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
@@ -147,7 +137,7 @@ FPM_KERNEL GeneralStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
     const T softening = thermalSoftening(g, point.temperatureRise);
     const T slow = softening * curve.value;
     const auto flows = trial > slow;
-    if (!NumberTraits<T>::any(flows)) return step;
+    if (!NumberTraits<T>::any(flows)) return {zero, zero, zero};
 
     const Real stiffness = m.threeMu + g.kinematicModulus;
     const T found = curved ? rateReturn<T>(m, point, trial, slow, softening, stiffness)
@@ -159,9 +149,7 @@ FPM_KERNEL GeneralStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
         backstress = backstress + (T(g.kinematicModulus) * share) * shifted;
     // Work of the stress at the end on the plastic strain 3/2 (s - a) d / q.
     const Sym3<T> kept = deviator + (-(T(m.threeMu) * share)) * shifted;
-    step.plastic = {increment, T(Real(1.5)) * contract(kept, shifted) * share,
-                    T(stiffness) * share};
-    return step;
+    return {increment, T(Real(1.5)) * contract(kept, shifted) * share, T(stiffness) * share};
 }
 
 } // namespace fpm

@@ -28,7 +28,6 @@ struct GeneralConstants {
     Work erosionStrain; ///< equivalent plastic strain beyond which an element is deleted
     bool erodes;        ///< elements may be deleted at all
     bool erodesInverted;
-    bool tangentHourglass; ///< physical form: the stiffness of its increments follows the flow
 };
 
 /// What the kernels need to know of one part's material and element options, in its working type.

@@ -22,33 +22,52 @@ FPM_KERNEL T sectionStress(const T& stretch, const T& bending)
               + squareRoot(fusedMultiplyAdd(bending, bending, T(Real(4)) * stretch * stretch)));
 }
 
+/// `to` + share `direction` where `mask` is set.
+template <class Mask, class T>
+FPM_KERNEL Sym3<T>
+moved(const Mask& mask, const Sym3<T>& to, const T& share, const Sym3<T>& direction)
+{
+    return {select(mask, to.xx + share * direction.xx, to.xx),
+            select(mask, to.yy + share * direction.yy, to.yy),
+            select(mask, to.zz + share * direction.zz, to.zz),
+            select(mask, to.xy + share * direction.xy, to.xy),
+            select(mask, to.yz + share * direction.yz, to.yz),
+            select(mask, to.zx + share * direction.zx, to.zx)};
+}
+
 /// Associated flow on the limit surface n^2 + m = 1 of a solid section, n = q / sigma_y of the
 /// stress and m = q_b / sigma_y of the bending: the plastic curvature is to the plastic stretch as
 /// 1 to 2 n, so that the neutral axis lies where that of the section does, and off its edge (m = 0)
 /// no bending is left. Then layers of elements bear the plastic moment of the whole, however many.
 /// `plastic` and `s` come from the radial return, which has reduced both by the same share: it
 /// fixes sigma_y, this the point on the surface. With p the flow, n = n_tr / (1 + p) and
-/// m = m_tr - k p, k = (stiffness of the bending) / (6 mu). `bendingEnergy`: twice the elastic
-/// energy of the trial bending per volume.
+/// m = m_tr - k p, k = (stiffness of the bending) / (6 mu + 2 H). `bendingEnergy`: twice the
+/// elastic energy of the trial bending per volume. `kinematic`: modulus H of the backstress, 0 for
+/// none; the stress is then measured from the backstress, and both move. Bending keeps no
+/// backstress.
 template <class T>
 FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
                                         const T& bending,
                                         const T& bendingEnergy,
+                                        ScalarOf<T> kinematic,
                                         PlasticStep<T>& plastic,
-                                        Sym3<T>& s)
+                                        Sym3<T>& s,
+                                        Sym3<T>& backstress)
 {
     using Real = ScalarOf<T>;
     const T zero = T(Real(0)), one = T(Real(1)), two = T(Real(2)), tiny = T(Real(1e-30));
     const auto flows = plastic.reduction > zero;
     if (!NumberTraits<T>::any(flows)) return {one, zero};
     const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-    const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    const Real stiffness = m.threeMu + kinematic;
+    Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    if (kinematic > Real(0)) deviator = deviator + T(Real(-1)) * backstress;
     const T inverseKept = one / (one - plastic.reduction);
     const T q = inverseKept
                 * squareRoot(fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny));
     const T yield = (one - plastic.reduction) * sectionStress<T>(q, bending);
     const T n = q / yield, bend = bending / yield;
-    const T k = bending * bending / (T(Real(2) * m.threeMu) * bendingEnergy + tiny);
+    const T k = bending * bending / (T(Real(2) * stiffness) * bendingEnergy + tiny);
 
     // The overstress falls with p and is convex: Newton's method comes from below. What three
     // rounds leave of it is removed radially.
@@ -66,17 +85,18 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
 
     // An elastic stress stays as it is, to the last bit, whatever its neighbours in a batch do.
     const T change = stretchKept * inverseKept - one;
-    s = {select(flows, s.xx + change * deviator.xx, s.xx),
-         select(flows, s.yy + change * deviator.yy, s.yy),
-         select(flows, s.zz + change * deviator.zz, s.zz),
-         select(flows, s.xy + change * deviator.xy, s.xy),
-         select(flows, s.yz + change * deviator.yz, s.yz),
-         select(flows, s.zx + change * deviator.zx, s.zx)};
+    s = moved(flows, s, T(m.threeMu / stiffness) * change, deviator);
+    const T strain = (one - stretchKept) * q * T(Real(1) / stiffness);
+    T work = stretchKept * q * strain; // on the stress less the backstress
     const T bendingWork = bendingKept * (one - bendingKept) * bendingEnergy;
+    plastic.strainIncrement = (select(flows, work, zero) + bendingWork) / yield;
+    if (kinematic > Real(0)) {
+        backstress = moved(flows, backstress, T(-kinematic / stiffness) * change, deviator);
+        work = fusedMultiplyAdd(T(Real(1.5)) * contract(backstress, deviator) * inverseKept / q,
+                                strain, work);
+    }
     plastic.reduction = select(flows, one - stretchKept, zero);
-    plastic.work =
-        select(flows, stretchKept * (one - stretchKept) * q * q * T(Real(1) / m.threeMu), zero);
-    plastic.strainIncrement = (plastic.work + bendingWork) / yield;
+    plastic.work = select(flows, work, zero);
     return {bendingKept, bendingWork};
 }
 

@@ -164,7 +164,6 @@ std::vector<fpm::MaterialConstants<Real>> generalMaterials()
     hot.inverseMeltingRange = Real(1.0 / 1000);
     all[3].general.erodes = all[3].general.erodesInverted = true;
     all[3].general.erosionStrain = Real(0.06);
-    all[4].general.tangentHourglass = true;
     all[4].coupledHourglass = Real(0);
     return all;
 }

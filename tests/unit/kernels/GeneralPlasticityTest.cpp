@@ -49,11 +49,11 @@ struct MaterialPoint {
     void strain(const MaterialConstants<double>& m, const Matrix& strain, double rate = 0)
     {
         stress = elasticStress<double>(m, stress, symmetric(strain));
-        const GeneralStep<double> step =
+        const PlasticStep<double> step =
             generalReturn<double>(m, {plasticStrain, 0.0, rise, rate}, stress, backstress);
-        increment = step.plastic.strainIncrement;
+        increment = step.strainIncrement;
         plasticStrain += increment;
-        work += step.plastic.work;
+        work += step.work;
     }
     /// Uniaxial strain in `steps` equal steps.
     void pull(const MaterialConstants<double>& m, double strain1, int steps, double rate = 0)
@@ -289,12 +289,12 @@ TEST(GeneralPlasticity, TheReturnConvergesForEveryLaw)
         const double slow = double(slowYield(m, e)), rate = std::pow(10, uniform(random, 4, 9));
         const double trial = slow * (1 + std::pow(10, uniform(random, -6, 1)));
         Sym3<double> stress{2 * trial / 3, -trial / 3, -trial / 3, 0, 0, 0}, backstress{};
-        const GeneralStep<double> step =
+        const PlasticStep<double> step =
             generalReturn<double>(m, {e, 0.0, 0.0, rate}, stress, backstress);
         const double expected = bisected(m, e, trial, rate);
         const double stiffness = m.threeMu + g.kinematicModulus;
         // In stress, of the yield stress: what a wrong increment would be worth.
-        EXPECT_LT(stiffness * std::abs(step.plastic.strainIncrement - expected), 1e-9 * trial)
+        EXPECT_LT(stiffness * std::abs(step.strainIncrement - expected), 1e-9 * trial)
             << i << " law " << int(g.rateLaw) << " e " << e << " rate " << rate << " trial/slow "
             << trial / slow << " n " << g.powerExponent << " coefficient " << g.rateCoefficient;
     }

@@ -1,6 +1,6 @@
 #include "kernels/material/SectionFlow.h"
 
-#include "kernels/material/J2Plasticity.h"
+#include "kernels/material/GeneralPlasticity.h"
 #include "unit/kernels/Element.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,9 @@ Flow flowFrom(const MaterialConstants<double>& m,
     Flow flow;
     flow.stress = symmetric(trial);
     flow.radial = flow.plastic = radialReturn<double>(m, 0.0, bending, flow.stress);
-    flow.section =
-        flowOfSection<double>(m, bending, bending * bending / stiffness, flow.plastic, flow.stress);
+    Sym3<double> none{};
+    flow.section = flowOfSection<double>(m, bending, bending * bending / stiffness, 0.0,
+                                         flow.plastic, flow.stress, none);
     return flow;
 }
 
@@ -113,4 +114,34 @@ TEST(SectionFlow, AnElasticSectionIsKeptToTheLastBit)
     const Flow still = flowFrom(m, Matrix::Zero(), 0, young);
     EXPECT_EQ(matrixOf(still.stress).norm(), 0);
     EXPECT_EQ(still.plastic.strainIncrement, 0);
+}
+
+TEST(SectionFlow, MeasuresTheStressFromTheBackstressAndMovesIt)
+{
+    // Prager: d a = 2/3 H d eps_p, d eps_p = -d s / 2 mu; the limit surface holds for s - a.
+    MaterialConstants<double> m = materialOf(young, poisson, yieldStress);
+    std::mt19937 random(35);
+    for (const double modulus : {1.0, 20000.0})
+        for (int i = 0; i < 100; ++i) {
+            m.general.kinematicModulus = modulus;
+            const Matrix shift = randomSymmetric(random, 100);
+            const Matrix centre = shift - shift.trace() / 3 * Matrix::Identity();
+            const double ratio = std::pow(10, uniform(random, -2, 0.5));
+            const Matrix trial = sized(random, ratio, yieldStress * uniform(random, 1.001, 1.1));
+            Sym3<double> stress = symmetric(trial + centre), backstress = symmetric(centre);
+            const double bending = ratio * mises(trial);
+            PlasticStep<double> plastic =
+                generalReturn<double>(m, {0.0, bending, 0.0, 0.0}, stress, backstress);
+            const SectionFlow<double> section = flowOfSection<double>(
+                m, bending, bending * bending / young, modulus, plastic, stress, backstress);
+            const Matrix s = matrixOf(stress), a = matrixOf(backstress);
+            const double n = mises(s - a) / yieldStress;
+            EXPECT_NEAR(n * n + section.bendingKept * bending / yieldStress, 1, 1e-10);
+            const Matrix strain = (trial + centre - s) / m.twoMu;
+            EXPECT_GT(strain.norm(), 0);
+            EXPECT_LT((a - centre - 2.0 / 3 * modulus * strain).norm(),
+                      1e-9 * modulus * strain.norm());
+            const double work = s.cwiseProduct(strain).sum();
+            EXPECT_NEAR(plastic.work, work, 1e-9 * yieldStress * strain.norm());
+        }
 }

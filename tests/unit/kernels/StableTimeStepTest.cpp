@@ -36,14 +36,19 @@ double stableStep(const MaterialConstants<double>& m, const Corners& x, double m
     return element.step.stableTimeStep;
 }
 
-/// Smallest 2 / omega_max over the predicted step on random warped hexahedra.
+/// Smallest 2 / omega_max over the predicted step on random warped hexahedra, sheared by up to
+/// `shear`.
 template <class Hourglass>
-double leastMargin(double coefficient, double poisson)
+double leastMargin(double coefficient, double poisson, double shear = 0)
 {
     std::mt19937 random(31);
     double least = 1e300;
     for (int i = 0; i < 100; ++i) {
-        const Corners x = warpedHexahedron(random);
+        Corners x = warpedHexahedron(random);
+        Matrix lean = Matrix::Identity();
+        lean.row(0).tail<2>() << shear * uniform(random), shear * uniform(random);
+        lean(1, 2) = shear * uniform(random);
+        x = x * lean; // of the same volume
         const double density = 2.5, mass = density * volumeOf(x);
         MaterialConstants<double> m = materialOf(3, poisson);
         m.hourglass = coefficient;
@@ -96,7 +101,8 @@ TEST(StableTimeStep, IsMetExactlyByABrickWithTheLargestHourglassStiffness)
 TEST(StableTimeStep, IsSafeForDistortedElementsWithPhysicalHourglass)
 {
     for (const double poisson : {0.0, 0.3, 0.45})
-        EXPECT_GT((leastMargin<PhysicalHourglass>(1, poisson)), 1);
+        for (const double shear : {0.0, 1.0, 3.0})
+            EXPECT_GT((leastMargin<PhysicalHourglass>(1, poisson, shear)), 1);
 }
 
 TEST(StableTimeStep, FollowsTheDensityOfTheDeformedElement)

@@ -42,7 +42,7 @@ std::vector<Law> laws()
             {"cowperSymonds", HourglassForm::stiffness, viscous},
             {"johnsonCook", HourglassForm::viscous, hot},
             {"erosion", HourglassForm::stiffness, {}, {0.02, true}},
-            {"tangent", HourglassForm::physical, {}, {}, HourglassPlastic::tangent}};
+            {"elasticBending", HourglassForm::physical, {}, {}, HourglassPlastic::elastic}};
 }
 
 Part partOf(const Law& law)
