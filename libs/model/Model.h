@@ -75,8 +75,8 @@ struct Part {
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
     Flow flow;
     ElementErosion erosion;
-    HourglassForm hourglass = HourglassForm::stiffness;
-    double hourglassCoefficient = 0.05; ///< stiffness 0.05 | viscous 0.1 | physical 1
+    HourglassForm hourglass = HourglassForm::physical;
+    double hourglassCoefficient = 1; ///< stiffness 0.05 | viscous 0.1 | physical 1
     HourglassPlastic hourglassPlastic = HourglassPlastic::coupled;
     HourglassStorage hourglassStorage = HourglassStorage::full;
     GivenInertia inertia; ///< rigidFree

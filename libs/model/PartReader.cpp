@@ -23,15 +23,17 @@ void readHourglass(const Lineage& lineage, Part& part)
 {
     const Dictionary entry = holder(lineage, "hourglass").subOrEmpty("hourglass");
     const std::string form =
-        entry.choiceOr("form", "stiffness", {"stiffness", "viscous", "physical"});
+        entry.choiceOr("form", "physical", {"stiffness", "viscous", "physical"});
     // Beyond `largest` the hourglass modes, not the element, would limit the time step.
-    double preset = 0.05, largest = 0.2;
+    double preset = 1, largest = 1;
     if (form == "viscous") {
         part.hourglass = HourglassForm::viscous;
         preset = 0.1;
-    } else if (form == "physical") {
-        part.hourglass = HourglassForm::physical;
-        preset = largest = 1.0;
+        largest = 0.2;
+    } else if (form == "stiffness") {
+        part.hourglass = HourglassForm::stiffness;
+        preset = 0.05;
+        largest = 0.2;
     }
     part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
     if (entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic")

@@ -7,7 +7,7 @@ from driver.caseRun import CaseRun
 from driver.chart import rows
 from driver.curves import readTable
 from driver.gmshFile import quarterSphere
-from driver.scene import PHYSICAL, Scene, elastic
+from driver.scene import Scene, elastic
 from driver.spheres import SETS, SYMMETRIES
 
 HALF_WIDTH, PRESSURE = 6.2146, 3585.4
@@ -92,7 +92,7 @@ def squeezed(binaries, core, rings):
         bodies='ball { type file; file "ball.msh"; }',
         files={"ball.msh": quarterSphere("ball", 50.0, core, rings, True).text()},
         sets=SETS + "far { type plane; point (0 0 0); normal (0 0 1); }",
-        parts=elastic("ball", 20000, 0.3, 8e-9, PHYSICAL),
+        parts=elastic("ball", 20000, 0.3, 8e-9),
         conditions=SYMMETRIES
                    + "press { type displacement; set far; value (0 0 -2); components (z); "
                    "amplitude smooth ((0 0) (4e-4 1)); }",

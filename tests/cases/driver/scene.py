@@ -26,7 +26,6 @@ def table(rows):
 
 
 NO_VISCOSITY = "bulkViscosity { linear 0; quadratic 0; }"
-PHYSICAL = "hourglass { form physical; coefficient 1; }"
 
 
 class Scene(CaseRun):

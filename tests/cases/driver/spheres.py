@@ -3,7 +3,7 @@
 import math
 
 from driver.gmshFile import quarterSphere
-from driver.scene import PHYSICAL, Scene, elastic
+from driver.scene import Scene, elastic
 from driver.waves import crossing, impulse
 
 SETS = ("planeX { type plane; point (0 0 0); normal (1 0 0); }\n"
@@ -18,7 +18,7 @@ def bounce(binaries, core, rings):
         binaries,
         bodies='ball { type file; file "ball.msh"; }',
         files={"ball.msh": quarterSphere("ball", 50.0, core, rings).text()},
-        sets=SETS, parts=elastic("ball", 10, 0.3, 1e-9, PHYSICAL), conditions=SYMMETRIES,
+        sets=SETS, parts=elastic("ball", 10, 0.3, 1e-9), conditions=SYMMETRIES,
         initial="v { type velocity; part ball; value (0 0 -1000); }",
         surfaces="low { part ball; within box ((-1 -1 -51) (30 30 -35)); }\n"
                  "floor { type plane; point (0 0 -50.1); normal (0 0 1); }",

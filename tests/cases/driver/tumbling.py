@@ -2,7 +2,7 @@
 
 import math
 
-from driver.scene import NO_VISCOSITY, PHYSICAL, Scene, elastic
+from driver.scene import NO_VISCOSITY, Scene, elastic
 
 
 def lattice(size, cells):
@@ -71,7 +71,7 @@ class Watched:
 def cube(binaries, marks):
     """Steel cube 0.1 m, 200 rad/s, 20 turns."""
     nodes = range(27)
-    part = elastic("body", 210e9, 0.3, 7850, NO_VISCOSITY + PHYSICAL)
+    part = elastic("body", 210e9, 0.3, 7850, NO_VISCOSITY)
     case, lat = spinning(binaries, (0.1, 0.1, 0.1), (2, 2, 2), part, (0, 0, 200.0),
                          20 * 2 * math.pi / 200, 400, nodes)
     with case:
@@ -145,7 +145,7 @@ def brick(binaries, marks):
     corners = [n for n, (p, _) in enumerate(lattice(size, cells))
                if all(abs(abs(x) - s / 2) < 1e-12 for x, s in zip(p, size))]
     # A tenth of steel's modulus: it stretches by a ten-thousandth.
-    part = elastic("body", 21e9, 0.3, 7850, NO_VISCOSITY + PHYSICAL)
+    part = elastic("body", 21e9, 0.3, 7850, NO_VISCOSITY)
     case, nodes = spinning(binaries, size, cells, part, omega, end, 4000, corners)
     squares = [mass * sum(s * p[i] ** 2 for p, s in nodes) for i in range(3)]
     inertia = [sum(squares) - x for x in squares]

@@ -73,7 +73,10 @@ TEST(PartReader, LetsATableReplaceTheLineOfThePartItIsLike)
 
 TEST(PartReader, ChoosesTheHourglassCoefficientByForm)
 {
-    EXPECT_EQ(readOne(elastic).hourglassCoefficient, 0.05);
+    EXPECT_EQ(readOne(elastic).hourglass, HourglassForm::physical);
+    EXPECT_EQ(readOne(elastic).hourglass, Part{}.hourglass);
+    EXPECT_EQ(readOne(elastic).hourglassCoefficient, Part{}.hourglassCoefficient);
+    EXPECT_EQ(readOne(elastic + "hourglass { form stiffness; }").hourglassCoefficient, 0.05);
     EXPECT_EQ(readOne(elastic + "hourglass { form viscous; }").hourglassCoefficient, 0.1);
     EXPECT_EQ(readOne(elastic + "hourglass { form physical; }").hourglassCoefficient, 1.0);
     EXPECT_EQ(readOne(elastic + "hourglass { coefficient 0.2; }").hourglassCoefficient, 0.2);
