@@ -116,7 +116,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     s.z.z += pressure;
     Vec3<T> q[4];
     if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>) {
-        const Sym3<T> section = Hourglass::forces(hourglass, x, q);
+        const Sym3<T> section = Hourglass::forces(hourglass, state.hourglass, x, q);
         step.internal += volume * contract(section, strain);
         s = s + matrix(sixtyFourth * section);
         const T endVolume = sixtyFourth * forceGradient.volume64;

@@ -36,12 +36,12 @@ struct PhysicalHourglass {
     };
 
     /// Per volume: forces along the edges, Q_j = sum_i force[j]_i x_i; of modes 1 to 3 and of mode
-    /// 4 the energy, and the stress, sum_ik stress_ik x_i x_k^T and the energy as a pressure.
+    /// 4 twice the energy, and what an edge bears less of stress than forces and strains say.
     template <class T>
     struct Trial : HourglassTrial<T> {
         Vec3<T> force[4];
-        Sym3<T> sectionStress, lastStress;
-        T sectionEnergy, lastEnergy;
+        Vec3<T> sectionRelief, lastRelief;
+        T lastEnergy;
     };
 
     template <class T>
@@ -65,8 +65,8 @@ struct PhysicalHourglass {
         }
         Trial<T> out;
         Vec3<T> f[4]; // dW/de
-        derive(k, edges, e, f, out);
-        measure(m, k, edges, c, e, f, out);
+        const Vec3<T> shear = derive(k, edges, e, f, out);
+        measure(m, k, edges, e, f, shear, out);
 
         // Work: half of the increment times the forces at the start, and times those at the end.
         const T half = T(Real(0.5)) * in.volume;
@@ -93,35 +93,49 @@ struct PhysicalHourglass {
         trial.bendingTrial = section * trial.bendingTrial;
         trial.workTrial = radial * trial.workTrial;
         const T sectionSquare = section * section, radialSquare = radial * radial;
-        trial.sectionStress = sectionSquare * trial.sectionStress;
-        trial.sectionEnergy = sectionSquare * trial.sectionEnergy;
-        trial.lastStress = radialSquare * trial.lastStress;
+        trial.bendingEnergy = sectionSquare * trial.bendingEnergy;
+        trial.sectionRelief = sectionSquare * trial.sectionRelief;
         trial.lastEnergy = radialSquare * trial.lastEnergy;
+        trial.lastRelief = radialSquare * trial.lastRelief;
     }
 
-    /// Q_j per volume where the corners are `at`; returns the stress.
+    /// Q_j per volume where the corners are `at`; returns the stress, sum_ik a_ik x_i x_k^T and the
+    /// energy as a tension: what the energy gains as the edges stretch and shear.
     template <class T>
-    FPM_KERNEL static Sym3<T> forces(const Trial<T>& trial, const Modes<T>& at, Vec3<T> (&q)[4])
+    FPM_KERNEL static Sym3<T>
+    forces(const Trial<T>& trial, const Vec3<T> (&c)[4], const Modes<T>& at, Vec3<T> (&q)[4])
     {
+        const T zero = T(ScalarOf<T>(0)), half = T(ScalarOf<T>(0.5)), two = T(ScalarOf<T>(2));
         const Vec3<T>* x = at.mode;
-        const auto combined = [&](const T& a, const T& b, const T& c) {
-            return multiplyAdd(a, x[1], multiplyAdd(b, x[2], c * x[3]));
+        const auto combined = [&](const T& a, const T& b, const T& d) {
+            return multiplyAdd(a, x[1], multiplyAdd(b, x[2], d * x[3]));
         };
-        for (int j = 0; j < 4; ++j)
-            q[j] = combined(trial.force[j].x, trial.force[j].y, trial.force[j].z);
-        const Sym3<T> a = trial.sectionStress + trial.lastStress;
-        const Vec3<T> y[4] = {
-            {}, combined(a.xx, a.xy, a.zx), combined(a.xy, a.yy, a.yz), combined(a.zx, a.yz, a.zz)};
-        const T energy = trial.sectionEnergy + trial.lastEnergy;
-        Sym3<T> stress{energy, energy, energy, x[1].x * y[1].y, x[1].y * y[1].z, x[1].z * y[1].x};
-        for (int i = 1; i < 4; ++i) {
-            stress.xx = fusedMultiplyAdd(x[i].x, y[i].x, stress.xx);
-            stress.yy = fusedMultiplyAdd(x[i].y, y[i].y, stress.yy);
-            stress.zz = fusedMultiplyAdd(x[i].z, y[i].z, stress.zz);
-            if (i == 1) continue;
-            stress.xy = fusedMultiplyAdd(x[i].x, y[i].y, stress.xy);
-            stress.yz = fusedMultiplyAdd(x[i].y, y[i].z, stress.yz);
-            stress.zx = fusedMultiplyAdd(x[i].z, y[i].x, stress.zx);
+        Sym3<T> a{zero, zero, zero, zero, zero, zero};
+        for (int j = 0; j < 4; ++j) {
+            const Vec3<T>& f = trial.force[j];
+            q[j] = combined(f.x, f.y, f.z);
+            a.xx = fusedMultiplyAdd(f.x, c[j].x, a.xx);
+            a.yy = fusedMultiplyAdd(f.y, c[j].y, a.yy);
+            a.zz = fusedMultiplyAdd(f.z, c[j].z, a.zz);
+            a.xy = fusedMultiplyAdd(f.x, c[j].y, fusedMultiplyAdd(f.y, c[j].x, a.xy));
+            a.yz = fusedMultiplyAdd(f.y, c[j].z, fusedMultiplyAdd(f.z, c[j].y, a.yz));
+            a.zx = fusedMultiplyAdd(f.z, c[j].x, fusedMultiplyAdd(f.x, c[j].z, a.zx));
+        }
+        a.xx = fusedMultiplyAdd(two, a.xx, -(trial.sectionRelief.x + trial.lastRelief.x));
+        a.yy = fusedMultiplyAdd(two, a.yy, -(trial.sectionRelief.y + trial.lastRelief.y));
+        a.zz = fusedMultiplyAdd(two, a.zz, -(trial.sectionRelief.z + trial.lastRelief.z));
+        const Vec3<T> y[3] = {combined(a.xx, a.xy, a.zx), combined(a.xy, a.yy, a.yz),
+                              combined(a.zx, a.yz, a.zz)};
+        const T energy = half * (trial.bendingEnergy + trial.lastEnergy);
+        Sym3<T> stress{energy, energy, energy, zero, zero, zero};
+        for (int i = 0; i < 3; ++i) {
+            const Vec3<T>& edge = x[i + 1];
+            stress.xx = fusedMultiplyAdd(edge.x, y[i].x, stress.xx);
+            stress.yy = fusedMultiplyAdd(edge.y, y[i].y, stress.yy);
+            stress.zz = fusedMultiplyAdd(edge.z, y[i].z, stress.zz);
+            stress.xy = fusedMultiplyAdd(edge.x, y[i].y, stress.xy);
+            stress.yz = fusedMultiplyAdd(edge.y, y[i].z, stress.yz);
+            stress.zx = fusedMultiplyAdd(edge.z, y[i].x, stress.zx);
         }
         return stress;
     }
@@ -167,51 +181,52 @@ private:
         return fusedMultiplyAdd(k.bend, bends, k.twist * twists);
     }
 
-    /// f = dW/de, and the forces along the edges.
+    /// f = dW/de, and the forces along the edges; returns dW/dG of 12, 23, 31.
     template <class T>
-    FPM_KERNEL static void derive(const Stiffness<T>& k,
-                                  const Edges<T>& edges,
-                                  const Vec3<T> (&e)[4],
-                                  Vec3<T> (&f)[4],
-                                  Trial<T>& out)
+    FPM_KERNEL static Vec3<T> derive(const Stiffness<T>& k,
+                                     const Edges<T>& edges,
+                                     const Vec3<T> (&e)[4],
+                                     Vec3<T> (&f)[4],
+                                     Trial<T>& out)
     {
         const Vec3<T>&h = edges.square, &r = edges.inverse;
         const auto bend = [&](const T& a, const T& b) {
             return k.bend * fusedMultiplyAdd(k.poisson, b, a);
         };
-        const T s12 = k.twist * fusedMultiplyAdd(r.y, e[0].x, r.x * e[1].y),
-                s23 = k.twist * fusedMultiplyAdd(r.z, e[1].y, r.y * e[2].z),
-                s31 = k.twist * fusedMultiplyAdd(r.x, e[2].z, r.z * e[0].x);
-        f[0] = {h.x * (s12 + s31), bend(e[0].y, e[1].x), bend(e[0].z, e[2].x)};
-        f[1] = {bend(e[1].x, e[0].y), h.y * (s12 + s23), bend(e[1].z, e[2].y)};
-        f[2] = {bend(e[2].x, e[0].z), bend(e[2].y, e[1].z), h.z * (s23 + s31)};
+        const Vec3<T> shear{k.twist * fusedMultiplyAdd(r.y, e[0].x, r.x * e[1].y),
+                            k.twist * fusedMultiplyAdd(r.z, e[1].y, r.y * e[2].z),
+                            k.twist * fusedMultiplyAdd(r.x, e[2].z, r.z * e[0].x)};
+        const Vec3<T> twist{shear.x + shear.z, shear.x + shear.y, shear.y + shear.z};
+        f[0] = {h.x * twist.x, bend(e[0].y, e[1].x), bend(e[0].z, e[2].x)};
+        f[1] = {bend(e[1].x, e[0].y), h.y * twist.y, bend(e[1].z, e[2].y)};
+        f[2] = {bend(e[2].x, e[0].z), bend(e[2].y, e[1].z), h.z * twist.z};
         f[3] = k.last * e[3];
-        for (int j = 0; j < 4; ++j) out.force[j] = {r.x * f[j].x, r.y * f[j].y, r.z * f[j].z};
+        out.force[0] = {twist.x, r.y * f[0].y, r.z * f[0].z};
+        out.force[1] = {r.x * f[1].x, twist.y, r.z * f[1].z};
+        out.force[2] = {r.x * f[2].x, r.y * f[2].y, twist.z};
+        out.force[3] = {r.x * f[3].x, r.y * f[3].y, r.z * f[3].z};
+        return shear;
     }
 
-    /// Energies, the stresses that follow from them, and the equivalent bending stress q_b of the
+    /// Energies, what they take from the stress, and the equivalent bending stress q_b of the
     /// section, 2/3 of the Mises stress of the outer fibre: pure bending yields at the plastic
     /// moment sigma_y t^2 / 4 of a solid section. An outer fibre bears 3 f.
     template <class T>
     FPM_KERNEL static void measure(const MaterialConstants<ScalarOf<T>>& m,
                                    const Stiffness<T>& k,
                                    const Edges<T>& edges,
-                                   const Vec3<T> (&c)[4],
                                    const Vec3<T> (&e)[4],
                                    const Vec3<T> (&f)[4],
+                                   const Vec3<T>& shear,
                                    Trial<T>& out)
     {
         using Real = ScalarOf<T>;
-        const T half = T(Real(0.5)), two = T(Real(2));
+        const T two = T(Real(2));
         const Vec3<T>&h = edges.square, &r = edges.inverse;
         const Vec3<T>(&p)[4] = out.force;
 
-        // Twists: the shear forces s_ij and the energies they hold.
-        const T s12 = half * (p[0].x + p[1].y - p[2].z), s23 = half * (p[1].y + p[2].z - p[0].x),
-                s31 = half * (p[2].z + p[0].x - p[1].y);
         const T g1 = h.x * e[0].x, g2 = h.y * e[1].y, g3 = h.z * e[2].z;
-        const T w12 = s12 * (g1 + g2), w23 = s23 * (g2 + g3), w31 = s31 * (g3 + g1);
-
+        const T w12 = shear.x * (g1 + g2), w23 = shear.y * (g2 + g3), w31 = shear.z * (g3 + g1);
         const T squares = f[0].y * f[0].y + f[0].z * f[0].z + f[1].x * f[1].x + f[1].z * f[1].z
                           + f[2].x * f[2].x + f[2].y * f[2].y;
         const T products = f[0].y * f[1].x + f[1].z * f[2].y + f[2].x * f[0].z;
@@ -219,37 +234,16 @@ private:
         out.bending = T(Real(2) * m.coupledHourglass)
                       * squareRoot(squares - products + T(Real(3)) * k.twist * twists);
         out.bendingEnergy = dot(e[0], f[0]) + dot(e[1], f[1]) + dot(e[2], f[2]);
-        out.sectionEnergy = half * out.bendingEnergy;
-        out.lastEnergy = half * dot(e[3], f[3]);
-
-        const auto fibres = [&](const T& a, const T& b) { return -two * (a + b); };
-        out.sectionStress =
-            product(p[0], c[0]) + product(p[1], c[1]) + product(p[2], c[2])
-            + diagonal(fibres(p[1].x * e[1].x, p[2].x * e[2].x) - r.x * (w12 + w31),
-                       fibres(p[0].y * e[0].y, p[2].y * e[2].y) - r.y * (w12 + w23),
-                       fibres(p[0].z * e[0].z, p[1].z * e[1].z) - r.z * (w23 + w31));
-        out.lastStress = product(p[3], c[3])
-                         + diagonal(-two * (p[3].x * e[3].x), -two * (p[3].y * e[3].y),
-                                    -two * (p[3].z * e[3].z));
-    }
-
-    /// a b^T + b a^T
-    template <class T>
-    FPM_KERNEL static Sym3<T> product(const Vec3<T>& a, const Vec3<T>& b)
-    {
-        const T two = T(ScalarOf<T>(2));
-        return {two * a.x * b.x,
-                two * a.y * b.y,
-                two * a.z * b.z,
-                fusedMultiplyAdd(a.x, b.y, a.y * b.x),
-                fusedMultiplyAdd(a.y, b.z, a.z * b.y),
-                fusedMultiplyAdd(a.z, b.x, a.x * b.z)};
-    }
-    template <class T>
-    FPM_KERNEL static Sym3<T> diagonal(const T& a, const T& b, const T& c)
-    {
-        const T zero = T(ScalarOf<T>(0));
-        return {a, b, c, zero, zero, zero};
+        out.lastEnergy = dot(e[3], f[3]);
+        out.sectionRelief = {
+            fusedMultiplyAdd(two, fusedMultiplyAdd(p[1].x, e[1].x, p[2].x * e[2].x),
+                             r.x * (w12 + w31)),
+            fusedMultiplyAdd(two, fusedMultiplyAdd(p[0].y, e[0].y, p[2].y * e[2].y),
+                             r.y * (w12 + w23)),
+            fusedMultiplyAdd(two, fusedMultiplyAdd(p[0].z, e[0].z, p[1].z * e[1].z),
+                             r.z * (w23 + w31))};
+        out.lastRelief = {two * (p[3].x * e[3].x), two * (p[3].y * e[3].y),
+                          two * (p[3].z * e[3].z)};
     }
 };
 
