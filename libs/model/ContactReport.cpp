@@ -17,23 +17,6 @@ namespace fpm {
 
 namespace {
 
-/// Sum of the area-weighted normals of a node's own sides, per contactor node.
-std::vector<Point> nodeNormals(const Mesh& mesh, const ContactSurfaces& surfaces)
-{
-    const std::vector<Index>& nodes = surfaces.contactorNodes;
-    std::vector<Point> normals(nodes.size(), Point{0, 0, 0});
-    for (const ElementSide& side : surfaces.contactorSides) {
-        const Point direction = normal(mesh, side);
-        const double weight = area(mesh, side);
-        for (const Index node : mesh.sideNodes(side)) {
-            const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
-            Point& sum = normals[std::size_t(found - nodes.begin())];
-            sum = along(sum, weight, direction);
-        }
-    }
-    return normals;
-}
-
 double totalArea(const Mesh& mesh, const std::vector<ElementSide>& sides)
 {
     double sum = 0;
@@ -46,6 +29,14 @@ double thickness(const Mesh& mesh, const ElementSide& side)
 {
     const double base = area(mesh, side);
     return base > 0 ? volume(mesh, side.element) / base : 0;
+}
+
+std::set<Index> nodesInside(const InitialDepths& depths)
+{
+    std::set<Index> nodes(depths.astray.begin(), depths.astray.end());
+    for (const auto* list : {&depths.held, &depths.tooDeep})
+        for (const InitialDepths::Node& entry : *list) nodes.insert(entry.node);
+    return nodes;
 }
 
 template <class Value>
@@ -117,19 +108,18 @@ ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces)
     const double touching = 1e-6 * fit.targetSize;
 
     const FaceTree tree(mesh, surfaces.targetSides);
-    const std::vector<Point> outward = nodeNormals(mesh, surfaces);
+    const std::vector<Point> outward = contactorNormals(mesh, surfaces);
+    fit.depths = initialDepths(mesh, surfaces);
+    const std::set<Index> inside = nodesInside(fit.depths);
     std::vector<bool> pointsAway(surfaces.targetSides.size(), false);
     double sum = 0;
     for (std::size_t i = 0; i < surfaces.contactorNodes.size(); ++i) {
         const Index node = surfaces.contactorNodes[i];
+        if (inside.count(node)) continue;
         const FaceTree::Hit hit = tree.nearest(mesh.points[std::size_t(node)], outward[i]);
         const ElementSide& side = surfaces.targetSides[hit.face];
         if (hit.height < -touching && -hit.height >= overTheFace * hit.distance) {
-            if (-hit.height > thickness(mesh, side)) {
-                pointsAway[hit.face] = true;
-                continue;
-            }
-            fit.overlaps.push_back({node, -hit.height, hit.point});
+            pointsAway[hit.face] = pointsAway[hit.face] || -hit.height > thickness(mesh, side);
         } else if (hit.height >= -touching && dot(outward[i], normal(mesh, side)) < 0) {
             ++fit.facingNodes;
             const double gap = hit.distance <= touching ? 0.0 : hit.distance;
@@ -151,15 +141,25 @@ void reportOverlaps(const Mesh& mesh,
                     InitialOverlap overlap,
                     Log& log)
 {
-    if (fit.overlaps.empty()) return;
-    const auto deepest =
-        std::max_element(fit.overlaps.begin(), fit.overlaps.end(),
-                         [](const auto& a, const auto& b) { return a.depth < b.depth; });
+    const std::vector<InitialDepths::Node>& held = fit.depths.held;
+    if (held.empty()) {
+        if (!fit.depths.astray.empty() && fit.depths.tooDeep.empty())
+            log.warning(format("pair {}: {} contactor nodes lie inside the target, such as node {} "
+                               "at {}, and none "
+                               "of them is held: no face near them looks at them; do the bodies "
+                               "overlap, or is one "
+                               "inside the other?",
+                               pair, fit.depths.astray.size(), fit.depths.astray.front(),
+                               pointText(mesh.points[std::size_t(fit.depths.astray.front())])));
+        return;
+    }
+    const auto deepest = std::max_element(
+        held.begin(), held.end(), [](const auto& a, const auto& b) { return a.depth < b.depth; });
     const std::string what =
         format("pair {}: {} contactor nodes lie inside the target, deepest {} ({} of a face's "
                "width) at node {} {}",
-               pair, fit.overlaps.size(), deepest->depth, deepest->depth / fit.targetSize,
-               deepest->node, pointText(mesh.points[std::size_t(deepest->node)]));
+               pair, held.size(), deepest->depth, deepest->depth / fit.targetSize, deepest->node,
+               pointText(mesh.points[std::size_t(deepest->node)]));
     switch (overlap) {
     case InitialOverlap::report:
         log.warning(what + "; they are pushed out at the first step (see 'initialOverlap')");
@@ -188,7 +188,7 @@ void reportContact(const Mesh& mesh,
     if (fit.facingNodes > 0)
         log.line(format("    initial gap: smallest {}, mean {} over {} nodes that face the target",
                         fit.smallestGap, fit.meanGap, fit.facingNodes));
-    else if (fit.overlaps.empty() && fit.facesPointingAway == 0)
+    else if (fit.depths.none() && fit.facesPointingAway == 0)
         log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
                            "the surfaces that meet?",
                            surfaces.pair));

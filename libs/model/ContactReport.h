@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Log.h"
+#include "model/InitialDepth.h"
 #include "model/Model.h"
 
 namespace fpm {
@@ -10,15 +11,9 @@ struct ContactFit {
     double contactorArea = 0, targetArea = 0;
     std::size_t facingNodes = 0;         ///< contactor nodes that look at the target
     double smallestGap = 0, meanGap = 0; ///< of those that do not overlap
-    /// A contactor node inside the target, and the place on the target nearest to it.
-    struct Overlap {
-        Index node;
-        double depth;
-        Point surface;
-    };
-    std::vector<Overlap> overlaps;
-    double targetSize = 0;             ///< mean width of a target face
-    std::size_t facesPointingAway = 0; ///< target faces whose nearest nodes lie deep behind them
+    InitialDepths depths;                ///< of those that lie inside
+    double targetSize = 0;               ///< mean width of a target face
+    std::size_t facesPointingAway = 0;   ///< target faces whose nearest nodes lie deep behind them
 };
 ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces);
 

@@ -8,6 +8,7 @@
 #include "model/ContactReport.h"
 #include "model/ContactSurface.h"
 #include "model/EdgeCrossing.h"
+#include "model/GeneralContact.h"
 #include "model/PartReader.h"
 #include "model/PointAlgebra.h"
 #include "model/RigidContact.h"
@@ -77,7 +78,7 @@ void refuseOwnTargets(const Mesh& mesh,
 /// Every contactor lies behind the target: the wrong side of it was chosen.
 void refuseTargetsTurnedAway(const ContactFit& fit, const Dictionary& pair)
 {
-    if (fit.facesPointingAway == 0 || fit.facingNodes > 0 || !fit.overlaps.empty()) return;
+    if (fit.facesPointingAway == 0 || fit.facingNodes > 0 || !fit.depths.none()) return;
     pair.fail("target",
               format("all contactor nodes lie behind the target, {} of its faces point away from "
                      "the nodes nearest to them: it would draw them in",
@@ -91,12 +92,13 @@ void moveToSurface(Mesh& mesh, const ContactFit& fit, const Dictionary& pair, Lo
 {
     double farthest = 0;
     std::set<Index> moved;
-    for (const ContactFit::Overlap& overlap : fit.overlaps) {
-        Point& point = mesh.points[std::size_t(overlap.node)];
-        farthest = std::max(farthest, length(difference(overlap.surface, point)));
-        point = overlap.surface;
-        moved.insert(overlap.node);
-    }
+    for (const auto* nodes : {&fit.depths.held, &fit.depths.tooDeep})
+        for (const InitialDepths::Node& inside : *nodes) {
+            Point& point = mesh.points[std::size_t(inside.node)];
+            farthest = std::max(farthest, length(difference(inside.surface, point)));
+            point = inside.surface;
+            moved.insert(inside.node);
+        }
     if (moved.empty()) return;
     for (std::size_t element = 0; element < mesh.hexahedra.size(); ++element) {
         const Hexahedron& nodes = mesh.hexahedra[element];
@@ -167,57 +169,32 @@ ContactSurfaces setPair(Mesh& mesh,
     refuseTargetsTurnedAway(fit, place);
     reportContact(mesh, surfaces, fit, entry.initialOverlap, log);
     if (entry.initialOverlap == InitialOverlap::move) moveToSurface(mesh, fit, place, log);
+    refuseDeepStart(mesh, surfaces, entry.passes, place);
     reportCrossings(mesh, surfaces, log);
     return surfaces;
 }
 
-/// A part's skin and the box around it.
-struct Body {
-    std::vector<ElementSide> sides;
-    Point least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300};
-    bool meets(const Body& other) const
-    {
-        for (std::size_t c = 0; c < 3; ++c)
-            if (most[c] < other.least[c] || other.most[c] < least[c]) return false;
-        return true;
-    }
-};
-
 /// All exterior faces of all parts; overlaps are looked for between parts whose boxes meet.
-ContactSurfaces
-setGeneral(const Mesh& mesh, const PairEntry& entry, const std::vector<bool>& rigid, Log& log)
+ContactSurfaces setGeneral(const Mesh& mesh,
+                           const PairEntry& entry,
+                           const std::vector<bool>& rigid,
+                           const std::vector<ContactSurfaces>& pairs,
+                           const Dictionary& contactDict,
+                           Log& log)
 {
-    ContactSurfaces surfaces;
-    surfaces.pair = entry.name;
-    std::vector<Body> bodies(mesh.parts.size());
-    for (std::size_t part = 0; part < bodies.size(); ++part) {
-        bodies[part].sides = skin(mesh, Index(part));
-        for (const Index node : nodesOf(mesh, bodies[part].sides))
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double x = mesh.points[std::size_t(node)][c];
-                bodies[part].least[c] = std::min(bodies[part].least[c], x);
-                bodies[part].most[c] = std::max(bodies[part].most[c], x);
-            }
-        surfaces.targetSides.insert(surfaces.targetSides.end(), bodies[part].sides.begin(),
-                                    bodies[part].sides.end());
-    }
-    std::sort(surfaces.targetSides.begin(), surfaces.targetSides.end());
-    surfaces.contactorSides = surfaces.targetSides;
-    surfaces.contactorNodes = nodesOf(mesh, surfaces.contactorSides);
+    const ContactSurfaces surfaces = allSurfaces(mesh, entry.name);
     log.line(format("general contact: {} nodes, {} faces of {} parts",
-                    surfaces.contactorNodes.size(), surfaces.targetSides.size(), bodies.size()));
-    for (std::size_t a = 0; a < bodies.size(); ++a) // nodes of two bodies may meet, of one not
-        reportSeams(mesh, {entry.name + ", part " + mesh.parts[a].name, {}, {}, bodies[a].sides},
-                    log);
-    for (std::size_t a = 0; a < bodies.size(); ++a)
-        for (std::size_t b = 0; b < bodies.size(); ++b) {
-            if (a == b || !bodies[a].meets(bodies[b]) || (rigid[a] && rigid[b])) continue;
-            const ContactSurfaces two{mesh.parts[a].name + " in " + mesh.parts[b].name,
-                                      nodesOf(mesh, bodies[a].sides), bodies[a].sides,
-                                      bodies[b].sides};
-            reportOverlaps(mesh, two.pair, measureContact(mesh, two), entry.initialOverlap, log);
-            if (a < b) reportCrossings(mesh, two, log);
-        }
+                    surfaces.contactorNodes.size(), surfaces.targetSides.size(),
+                    mesh.parts.size()));
+    for (std::size_t part = 0; part < mesh.parts.size(); ++part) // nodes of two bodies may meet
+        reportSeams(
+            mesh, {entry.name + ", part " + mesh.parts[part].name, {}, {}, skin(mesh, Index(part))},
+            log);
+    for (const ContactSurfaces& two : meetingBodies(mesh, rigid, {})) {
+        reportOverlaps(mesh, two.pair, measureContact(mesh, two), entry.initialOverlap, log);
+        if (two.contactorSides < two.targetSides) reportCrossings(mesh, two, log);
+    }
+    refuseDeepBodies(mesh, rigid, pairs, contactDict);
     return surfaces;
 }
 
@@ -238,7 +215,8 @@ void setContact(Mesh& mesh, const Dictionary& contactDict, const std::vector<boo
     for (const PairEntry& entry : entries.pairs)
         pairs.push_back(setPair(mesh, entries, entry, rigid, contactDict, log));
     reportSharing(pairs, log);
-    if (entries.general) pairs.push_back(setGeneral(mesh, *entries.general, rigid, log));
+    if (entries.general)
+        pairs.push_back(setGeneral(mesh, *entries.general, rigid, pairs, contactDict, log));
     if (pairs.empty())
         log.warning(contactDict.name() + " has no pairs: the bodies pass through each other");
     mesh.contact = std::move(pairs);

@@ -113,7 +113,11 @@ void FaceTree::split(std::size_t branch, std::size_t first, std::size_t count)
     split(child + 1, first + count / 2, count - count / 2);
 }
 
-void FaceTree::tryFace(std::size_t face, const Point& point, const Point& outward, Best& best) const
+void FaceTree::tryFace(std::size_t face,
+                       const Point& point,
+                       const Point& outward,
+                       const Accept& accepts,
+                       Best& best) const
 {
     const auto& [a, b, c, d] = corners_[face];
     const double opposition = -dot(normals_[face], outward);
@@ -130,11 +134,18 @@ void FaceTree::tryFace(std::size_t face, const Point& point, const Point& outwar
                     || (opposition == best.opposition && face >= best.hit.face)))
                 continue;
         }
+        if (accepts && !accepts(hit)) continue;
         best = {hit, opposition};
     }
 }
 
 FaceTree::Hit FaceTree::nearest(const Point& point, const Point& outward) const
+{
+    return nearest(point, outward, {});
+}
+
+FaceTree::Hit
+FaceTree::nearest(const Point& point, const Point& outward, const Accept& accepts) const
 {
     Best best;
     std::array<std::pair<double, std::size_t>, 128> waiting; // deeper than any balanced tree
@@ -145,7 +156,7 @@ FaceTree::Hit FaceTree::nearest(const Point& point, const Point& outward) const
         if (std::sqrt(square) > best.hit.distance + tolerance_) continue;
         const Branch& branch = branches_[number];
         for (std::size_t i = branch.first; i < branch.first + branch.count; ++i)
-            tryFace(order_[i], point, outward, best);
+            tryFace(order_[i], point, outward, accepts, best);
         if (branch.count > 0) continue;
 
         std::array<std::pair<double, std::size_t>, 2> children;

@@ -2,6 +2,7 @@
 
 #include "mesh/Mesh.h"
 
+#include <functional>
 #include <span>
 
 namespace fpm {
@@ -24,6 +25,9 @@ public:
     /// to `point`; where that does not decide, as for a point on the edge, the one most opposed to
     /// `outward`, the direction the point's own surface looks in.
     Hit nearest(const Point& point, const Point& outward = {0, 0, 0}) const;
+    /// The same among the hits that `accepts` says yes to; distance infinite where there is none.
+    using Accept = std::function<bool(const Hit&)>;
+    Hit nearest(const Point& point, const Point& outward, const Accept& accepts) const;
 
 private:
     struct Box {
@@ -38,7 +42,11 @@ private:
 
     void split(std::size_t branch, std::size_t first, std::size_t count);
     Box boxOf(std::size_t first, std::size_t count) const;
-    void tryFace(std::size_t face, const Point& point, const Point& outward, Best& best) const;
+    void tryFace(std::size_t face,
+                 const Point& point,
+                 const Point& outward,
+                 const Accept& accepts,
+                 Best& best) const;
 
     std::vector<std::array<Point, 4>> corners_;
     std::vector<Point> normals_, centres_;

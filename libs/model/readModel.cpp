@@ -7,6 +7,8 @@
 #include "model/ContactReader.h"
 #include "model/ContactSetup.h"
 #include "model/ControlReader.h"
+#include "model/GeneralContact.h"
+#include "model/InitialDepth.h"
 #include "model/MotionCheck.h"
 #include "model/PaperAlgorithm.h"
 #include "model/PartReader.h"
@@ -51,19 +53,6 @@ ContactPair makePair(const PairEntry& entry, const ContactSurfaces& surfaces)
     return pair;
 }
 
-/// The parts that meet in a pair.
-void addMeetings(std::vector<std::array<Index, 2>>& parts,
-                 const Mesh& mesh,
-                 const ContactSurfaces& surfaces)
-{
-    std::set<Index> contactor, target;
-    for (const ElementSide& side : surfaces.contactorSides)
-        contactor.insert(mesh.partOf(side.element));
-    for (const ElementSide& side : surfaces.targetSides) target.insert(mesh.partOf(side.element));
-    for (const Index a : contactor)
-        for (const Index b : target) parts.push_back({a, b});
-}
-
 /// Surfaces from the mesh file, numbers from contactDict.
 void readContact(const Case& theCase, Model& model, Log& log)
 {
@@ -91,15 +80,22 @@ void readContact(const Case& theCase, Model& model, Log& log)
         if (pair.surface >= 0) {
             pair.kind = ContactKind::pair;
             refuseRigidContactor(model.mesh, surfaces, rigid, place);
-        } else
+        } else {
             refuseRigidPair(model.mesh, surfaces, rigid, place);
+            refuseDeepStart(model.mesh, surfaces, entry.passes, place);
+        }
         model.contactPairs.push_back(std::move(pair));
     }
     if (entries.general) {
         ContactPair general = makePair(*entries.general, surfacesOf(model.mesh, generalContact));
         general.kind = ContactKind::general;
-        for (const PairEntry& entry : entries.pairs)
-            addMeetings(general.apart, model.mesh, surfacesOf(model.mesh, entry.name));
+        std::vector<ContactSurfaces> pairs;
+        for (const PairEntry& entry : entries.pairs) {
+            pairs.push_back(surfacesOf(model.mesh, entry.name));
+            const auto parts = meetingsOf(model.mesh, pairs.back());
+            general.apart.insert(general.apart.end(), parts.begin(), parts.end());
+        }
+        refuseDeepBodies(model.mesh, rigid, pairs, contactDict);
         model.contactPairs.push_back(std::move(general));
     }
 }

@@ -68,7 +68,7 @@ TEST(ContactSetup, MeasuresTheGapOfTheNodesThatFaceTheTarget)
     EXPECT_EQ(fit.facingNodes, 16u);
     EXPECT_NEAR(fit.smallestGap, 0.25, 1e-12);
     EXPECT_NEAR(fit.meanGap, 0.25, 1e-12);
-    EXPECT_TRUE(fit.overlaps.empty());
+    EXPECT_TRUE(fit.depths.none());
     EXPECT_EQ(fit.facesPointingAway, 0u);
 }
 
@@ -76,7 +76,7 @@ TEST(ContactSetup, TakesTouchingBodiesForTouching)
 {
     for (const double gap : {0.0, 1e-12, -1e-12}) {
         const ContactFit fit = fitOf(blocks(gap));
-        EXPECT_TRUE(fit.overlaps.empty());
+        EXPECT_TRUE(fit.depths.none());
         EXPECT_EQ(fit.smallestGap, 0.0);
     }
 }
@@ -97,9 +97,9 @@ TEST(ContactSetup, CountsOverlapsAndTheirDepth)
     shop.run(onePair);
 
     const ContactFit fit = fitOf(shop.mesh);
-    ASSERT_EQ(fit.overlaps.size(), 16u);
-    for (const ContactFit::Overlap& overlap : fit.overlaps)
-        EXPECT_NEAR(overlap.depth, 0.125, 1e-12);
+    ASSERT_EQ(fit.depths.held.size(), 16u);
+    for (const InitialDepths::Node& inside : fit.depths.held)
+        EXPECT_NEAR(inside.depth, 0.125, 1e-12);
     EXPECT_TRUE(
         contains(shop.folder.logText(),
                  "warning: pair press: 16 contactor nodes lie inside the target, deepest 0.125"));
@@ -220,7 +220,7 @@ TEST(ContactSetup, MovesOverlapsToTheSurfaceOnRequest)
     shop.run("pairs { press { contactor upper; target lower; initialOverlap move; } }");
 
     EXPECT_TRUE(contains(shop.folder.logText(), "16 nodes moved, by at most 0.125"));
-    EXPECT_TRUE(fitOf(shop.mesh).overlaps.empty());
+    EXPECT_TRUE(fitOf(shop.mesh).depths.none());
     EXPECT_FALSE(contactIsOutdated(shop.mesh, shop.folder.open()));
     EXPECT_TRUE(contains(refusal([&] {
                              Workshop deep(blocks(-0.45));

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "dictionary/Dictionary.h"
+#include "mesh/Mesh.h"
+
+#include <vector>
+
+namespace fpm {
+
+/// Contactor nodes that lie in the material of the target before the run, by what contact does with
+/// them. It holds a node against a face that looks at it, no deeper than half the thickness of the
+/// element under the face (kernels/contact/FaceChoice.h): beyond, the other side may be nearer.
+struct InitialDepths {
+    struct Node {
+        Index node;
+        double depth;  ///< under the face that it came in through
+        Point surface; ///< the place on that face nearest to it
+        double limit;  ///< half the thickness under it
+    };
+    std::vector<Node> held;    ///< they are pushed out
+    std::vector<Node> tooDeep; ///< they would feel no force
+    std::vector<Index> astray; ///< as these, but no face of the target is their way out
+    bool none() const { return held.empty() && tooDeep.empty() && astray.empty(); }
+};
+InitialDepths initialDepths(const Mesh& mesh, const ContactSurfaces& surfaces);
+
+/// Throws InputError at `key` of `place` where nodes are too deep; with two passes nodes of either
+/// side count.
+void refuseDeepStart(const Mesh& mesh,
+                     const ContactSurfaces& surfaces,
+                     int passes,
+                     const Dictionary& place,
+                     const std::string& key = "target");
+
+/// Mean of the unit normals of a node's own sides, per contactor node; short where they point all
+/// ways.
+std::vector<Point> contactorNormals(const Mesh& mesh, const ContactSurfaces& surfaces);
+
+} // namespace fpm
