@@ -17,4 +17,8 @@ inline constexpr int macroDepth = 32;
 inline constexpr std::uint64_t expandedBytes = 8 << 20; ///< or expansionFactor times the input
 inline constexpr std::uint64_t expansionFactor = 100;
 
+/// Magnitudes of numbers other than 0: squares of them are numbers too, and no length of a vector
+/// comes out as 0 or as infinite.
+inline constexpr double largestNumber = 1e150, smallestNumber = 1e-150;
+
 } // namespace fpm::limits

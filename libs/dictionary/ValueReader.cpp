@@ -1,12 +1,14 @@
 #include "dictionary/ValueReader.h"
 
 #include "base/Format.h"
+#include "dictionary/Limits.h"
 #include "dictionary/Number.h"
 #include "dictionary/Report.h"
 #include "dictionary/Suggestion.h"
 #include "dictionary/Utf8.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fpm {
 
@@ -49,15 +51,28 @@ std::string foundText(const Document& document, std::span<const Token> values)
     return excerpt(text);
 }
 
+/// What is wrong with the size of a number: nothing where its square is a number too.
+std::string sizeAdvice(std::string_view text)
+{
+    const auto value = readNumber(text);
+    if (!value || std::abs(*value) > limits::largestNumber)
+        return format("numbers go up to {}, so that their squares are numbers too",
+                      limits::largestNumber);
+    const bool isZero =
+        text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == text.npos;
+    if (!isZero && std::abs(*value) < limits::smallestNumber)
+        return format("numbers other than 0 are at least {} in size; write 0 if that is meant",
+                      limits::smallestNumber);
+    return "";
+}
+
 std::string typeAdvice(const Document& document, std::span<const Token> values)
 {
     if (values.empty()) return "the entry is empty";
     if (values.size() > 1) return isBracket(values[0]) ? "" : "are brackets or a ';' missing?";
     const auto text = document.text(values[0]);
     if (text == "nan" || text == "inf") return "nan and inf are no values here";
-    if (values[0].kind == TokenKind::number && !readNumber(text))
-        return "the largest number is 1.797e308";
-    return "";
+    return values[0].kind == TokenKind::number ? sizeAdvice(text) : "";
 }
 
 } // namespace
@@ -239,9 +254,10 @@ std::span<const Token> ValueReader::bracketed(std::size_t skipped) const
 
 double ValueReader::toNumber(const Token& token) const
 {
-    const auto value =
-        token.kind == TokenKind::number ? readNumber(node_.document->text(token)) : std::nullopt;
-    if (!value) refuse({&token, 1}, typeAdvice(*node_.document, {&token, 1}));
+    const auto text = node_.document->text(token);
+    const auto value = token.kind == TokenKind::number ? readNumber(text) : std::nullopt;
+    if (!value || !sizeAdvice(text).empty())
+        refuse({&token, 1}, typeAdvice(*node_.document, {&token, 1}));
     return *value;
 }
 
