@@ -5,6 +5,7 @@
 #include "model/Names.h"
 
 #include <algorithm>
+#include <array>
 
 namespace fpm {
 
@@ -24,12 +25,31 @@ void readStart(const Dictionary& dictionary)
         dictionary.fail("purgeWrite", "every frame is kept", "write: purgeWrite 0;");
 }
 
-/// OpenFOAM's keys about the look of files, and a starting deltaT, mean nothing to this solver.
+/// OpenFOAM's keys about the time step: whoever writes them expects something of them.
+void refuseOtherTimeSteps(const Dictionary& dictionary)
+{
+    static constexpr std::array<std::array<const char*, 2>, 4> others{
+        {{"deltaT", "'timeStep { fixed <step>; }' gives one, 'timeStep { maximum <step>; }' bounds "
+                    "it"},
+         {"maxDeltaT", "'timeStep { maximum <step>; }' bounds it"},
+         {"adjustTimeStep", "it is so without an entry; 'timeStep { fixed <step>; }' ends it"},
+         {"maxCo", "'timeStep { safety 0.9; }' is the share of the stable step that is taken"}}};
+    const std::vector<std::string> keys = dictionary.keys();
+    for (const auto& [key, advice] : others)
+        if (std::find(keys.begin(), keys.end(), key) != keys.end())
+            dictionary.fail(key,
+                            format("'{}' is no key here: the time step follows from stability, at "
+                                   "every step",
+                                   key),
+                            std::string(advice) + "; or remove the entry");
+}
+
+/// OpenFOAM's keys about the look of files mean nothing to this solver.
 void readWithoutEffect(const Dictionary& dictionary, Log& log)
 {
     std::vector<std::string> given;
     for (const char* key : {"writeFormat", "writePrecision", "writeCompression", "timeFormat",
-                            "timePrecision", "runTimeModifiable", "deltaT"})
+                            "timePrecision", "runTimeModifiable"})
         if (dictionary.has(key)) given.push_back(key);
     dictionary.choiceOr("writeFormat", "binary", {"ascii", "binary"});
     dictionary.integerOr("writePrecision", 16, 1, 64);
@@ -37,12 +57,9 @@ void readWithoutEffect(const Dictionary& dictionary, Log& log)
     dictionary.choiceOr("timeFormat", "general", {"general", "fixed", "scientific"});
     dictionary.integerOr("timePrecision", 8, 1, 64);
     dictionary.switchOr("runTimeModifiable", false);
-    dictionary.numberOr("deltaT", 1.0, positive());
     if (!given.empty())
-        log.line(
-            format("{}: accepted without effect: {} (results are HDF5; the time step follows from "
-                   "stability unless timeStep.fixed prescribes it)",
-                   dictionary.name(), listed(given)));
+        log.line(format("{}: accepted without effect: {} (results are HDF5)", dictionary.name(),
+                        listed(given)));
 }
 
 void readTimeStep(const Dictionary& timeStep, Control& control)
@@ -96,17 +113,38 @@ void readMachine(const Dictionary& dictionary, Control& control)
                            : Assembly::gather;
 }
 
+/// Intervals so short that a run would never come to its end for frames, or rows.
+void refuseTinyIntervals(const Dictionary& dictionary, const Control& control)
+{
+    constexpr double mostFrames = 1e7, mostRows = 1e9;
+    const double frames = control.endTime / control.writeInterval;
+    if (frames > mostFrames)
+        dictionary.fail("writeInterval",
+                        format("{} frames would be written until endTime, each a folder; at most "
+                               "{} are",
+                               toText(frames, 3), toText(mostFrames, 3)),
+                        "such as: writeInterval " + toText(control.endTime / 10, 3) + ";");
+    const double rows = control.historyInterval > 0 ? control.endTime / control.historyInterval : 0;
+    if (rows > mostRows)
+        dictionary.fail("historyInterval",
+                        format("{} rows would be due until endTime; at most {} are",
+                               toText(rows, 3), toText(mostRows, 3)),
+                        "write: historyInterval 0; for one row at every step");
+}
+
 } // namespace
 
 Control readControl(const Dictionary& dictionary, Log& log)
 {
     Control control;
+    refuseOtherTimeSteps(dictionary);
     readStart(dictionary);
     readWithoutEffect(dictionary, log);
     control.endTime = dictionary.number("endTime", positive());
     control.writeInterval = dictionary.numberOr("writeInterval", control.endTime / 10, positive());
     control.historyInterval =
         dictionary.numberOr("historyInterval", control.endTime / 1000, nonNegative());
+    refuseTinyIntervals(dictionary, control);
     readTimeStep(dictionary.subOrEmpty("timeStep"), control);
     control.massDamping = dictionary.numberOr("massDamping", 0.0, nonNegative());
     readQuasiStatic(dictionary, control);

@@ -120,13 +120,12 @@ TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
     {
         Log log(folder.logFile());
         readControl(Dictionary::parse("application fpmExplicit; startFrom startTime; startTime 0; "
-                                      "stopAt endTime; endTime 1; deltaT 1; writeControl runTime; "
+                                      "stopAt endTime; endTime 1; writeControl runTime; "
                                       "writeFormat ascii; timePrecision 6; purgeWrite 0;"),
                     log);
     }
 
-    EXPECT_TRUE(
-        contains(folder.logText(), "accepted without effect: writeFormat, timePrecision, deltaT"));
+    EXPECT_TRUE(contains(folder.logText(), "accepted without effect: writeFormat, timePrecision"));
 }
 
 TEST(ControlReader, RefusesValuesItCouldNotHonour)
@@ -136,6 +135,12 @@ TEST(ControlReader, RefusesValuesItCouldNotHonour)
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; startTime 0.5;"); }), "starts at time 0"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; purgeWrite 3;"); }), "every frame is kept"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl timeStep;"); }), "runTime"));
+    for (const char* step : {"deltaT 1e-8;", "adjustTimeStep yes;", "maxCo 0.5;"})
+        EXPECT_TRUE(contains(refusal([&] { read("endTime 1; " + std::string(step)); }),
+                             "the time step follows from stability"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeInterval 1e-20;"); }), "1e+20 frames"));
+    EXPECT_TRUE(
+        contains(refusal([] { read("endTime 1e9; historyInterval 1e-9;"); }), "historyInterval 0"));
 }
 
 TEST(ControlReader, RefusesTimesAndLimitsOutOfRange)
