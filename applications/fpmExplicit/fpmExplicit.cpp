@@ -53,7 +53,7 @@ int main(int argc, char** argv)
         if (!busy.empty()) run.log.line(busy);
         for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
         solver->start();
-        if (run.has("dryRun")) return fpm::reportDryRun(*solver, model, run.log);
+        if (run.has("dryRun")) return fpm::reportDryRun(*solver, model, run);
         const auto steps = run.integer("maxSteps", 0, std::numeric_limits<std::int64_t>::max());
         fpm::runTimeLoop(*solver, model, run, steps.value_or(-1));
     });

@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "mesh/Quality.h"
+#include "mesh/SmallElements.h"
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,18 @@ void MeshReport::total()
         row(format("total, {} {}", bodies_, bodies_ == 1 ? "body" : "bodies"),
             {toText(elements_), toText(nodes_), toText(minScaledJacobian_, digits), "",
              toText(maxEdgeRatio_, digits), toText(minHeight_, digits), toText(volume_, digits)}));
+}
+
+void reportSmallElements(const Mesh& mesh, Log& log)
+{
+    const auto few = smallElements(mesh, elementHeights(mesh));
+    if (!few) return;
+    log.line(
+        format("{} are down to {} high, most elements {}: with equal materials they alone make "
+               "the time step {} times smaller; larger elements there, or massScaling, save "
+               "steps (fpmExplicit -dryRun tells the price)",
+               smallElementsText(*few), toText(few->least, 3), toText(few->ordinary, 3),
+               toText(few->ratio(), 3)));
 }
 
 } // namespace fpm

@@ -22,4 +22,7 @@ private:
     double minScaledJacobian_, minHeight_, maxEdgeRatio_ = 0, volume_ = 0;
 };
 
+/// One line where a few elements are so small that they set the time step of all.
+void reportSmallElements(const Mesh& mesh, Log& log);
+
 } // namespace fpm

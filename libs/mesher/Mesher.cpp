@@ -2,6 +2,7 @@
 
 #include "mesh/Patches.h"
 #include "mesher/Bodies.h"
+#include "mesher/MeshReport.h"
 #include "mesher/Sets.h"
 
 namespace fpm {
@@ -19,6 +20,7 @@ Mesh makeMesh(const Dictionary& meshDict, const Case& theCase, bool allowGeo, Lo
     MeshedBodies meshed = meshBodies(bodies, theCase, allowGeo, log);
     makeSets(sets, meshed, log);
     renumber(meshed.mesh);
+    reportSmallElements(meshed.mesh, log);
     return std::move(meshed.mesh);
 }
 

@@ -4,7 +4,9 @@
 #include "io/AtomicFile.h"
 #include "solver/ElementStep.h"
 #include "solver/PenaltyData.h"
+#include "solver/RunForecast.h"
 #include "solver/StepBytes.h"
+#include "solver/StepSetters.h"
 #include "solver/TimeLoop.h"
 
 #include <algorithm>
@@ -256,28 +258,47 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(solver.data().rigidParts, "rigid parts (no element work)");
 }
 
+/// Stiff contact springs on light nodes can need shorter steps than any element.
+void reportContactCost(const StepClock& clock, const Control& control, Log& log)
+{
+    if (control.fixedTimeStep > 0 || !(clock.stableStep > 0)) return;
+    Control free = control;
+    free.maximumTimeStep = 0;
+    const double ratio = control.timeStepSafety * clock.elementStep / steadyStep(clock, free);
+    if (ratio > 2)
+        log.line(format("contact needs {} times as many steps as the elements alone; a smaller "
+                        "normalScale of that pair needs fewer, for deeper overlaps",
+                        toText(ratio, 3)));
+}
+
 } // namespace
 
-void reportDryRun(Solver& solver, const Model& model, Log& log)
+void reportDryRun(Solver& solver, const Model& model, Run& run)
 {
+    Log& log = run.log;
     reportKernels(solver, model, log);
-    std::size_t memory = solver.deviceBytes();
     log.line(format("{} nodes, {} elements in {} patches, {} contactors in {} pairs, {} MB",
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
                     solver.data().patches.size(), contactors(model), model.contactPairs.size(),
-                    toText(double(memory) / 1e6, 3)));
+                    toText(double(solver.deviceBytes()) / 1e6, 3)));
     reportMassScaling(solver, log);
     // A few real steps tell the step size with contact, and what a step costs.
     solver.advance(model.control.endTime, 50);
     const StepClock clock = solver.clock();
-    const double steps = clock.step > 0 ? model.control.endTime / clock.step : 0;
-    log.line(format("time step {} (elements alone {}, contact omega {}), about {} steps",
-                    toText(clock.step, 4), toText(clock.elementStep, 4),
-                    toText(clock.contactFrequency, 4), toText(steps, 3)));
+    log.line(format("time step {} (elements alone {}, contact omega {})", toText(clock.step, 4),
+                    toText(clock.elementStep, 4), toText(clock.contactFrequency, 4)));
     log.line("limited by " + stepLimit(solver, model));
-    const double seconds =
-        solver.times().total / double(std::max<std::int64_t>(1, clock.steps)) * steps;
-    log.line(format("expected time {} s ({})", toText(seconds, 2), solver.description()));
+    reportStepSetters(stepSetters(solver.data(), model), log);
+    reportContactCost(clock, model.control, log);
+    const double step = clock.stableStep > 0 ? steadyStep(clock, model.control) : clock.step;
+    const RunForecast forecast = forecastRun(solver, model, run.theCase.root(), step, -1);
+    const double aStep = solver.times().total / double(std::max<std::int64_t>(1, clock.steps));
+    reportForecast(forecast, aStep, log);
+    if (const std::string why = endlessReason(clock, model.control, -1); !why.empty())
+        log.warning(why);
+    log.line(format("expected time {} s for the steps, {} s for the frames ({})",
+                    toText(aStep * forecast.steps, 2), toText(forecast.frameSeconds(), 2),
+                    solver.description()));
 }
 
 } // namespace fpm

@@ -5,6 +5,7 @@
 #include "solver/ContactWatch.h"
 #include "solver/Histories.h"
 #include "solver/Performance.h"
+#include "solver/RunForecast.h"
 #include "solver/resultFrame.h"
 
 #include <algorithm>
@@ -95,6 +96,7 @@ private:
         histories_.sample(solver_, energies_);
         reportOverlaps(solver_, model_, run_.log);
         writeFrame();
+        reportStart(solver_, model_, run_.theCase.root(), maxSteps_, run_.log);
         while (!done()) {
             const double nextFrame = frameTime(frames_);
             const double due = std::min(nextFrame, sampleTime(samples_));
@@ -136,10 +138,7 @@ private:
     /// time, so that it never shortens a step.
     void advanceTo(double due, double stop)
     {
-        std::int64_t steps = 1;
-        if (clock_.step > 0)
-            steps = std::max<std::int64_t>(
-                1, std::int64_t(std::ceil((due - clock_.time) / clock_.step)));
+        std::int64_t steps = stepsUntil(clock_, due);
         if (maxSteps_ >= 0) steps = std::min(steps, maxSteps_ - clock_.steps);
         solver_.advance(std::min(stop, control_.endTime), steps);
         clock_ = solver_.clock();
@@ -188,6 +187,8 @@ private:
         if (clock_.failed)
             fail(format("step {} at time {}: {}", clock_.steps, clock_.time,
                         worstElement(solver_, model_)));
+        if (const std::string why = endlessReason(clock_, control_, maxSteps_); !why.empty())
+            fail(why);
     }
 
     [[noreturn]] void fail(const std::string& what)

@@ -11,8 +11,9 @@ namespace fpm {
 /// ends the run early.
 void runTimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps = -1);
 
-/// What -dryRun prints: kernels this scene needs and those it leaves out, counts, memory, the first
-/// time step and the element that limits it, and the expected time (measured over a few steps).
-void reportDryRun(Solver& solver, const Model& model, Log& log);
+/// What -dryRun prints: kernels this scene needs and those it leaves out, counts, the first time
+/// step and what limits it, and the forecast of steps, frames, disk, memory and time (measured over
+/// a few steps).
+void reportDryRun(Solver& solver, const Model& model, Run& run);
 
 } // namespace fpm
