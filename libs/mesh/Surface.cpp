@@ -69,6 +69,39 @@ std::vector<ElementSide> skin(const Mesh& mesh, Index part, const std::vector<bo
     return outer;
 }
 
+std::vector<ElementSide> innerSides(const Mesh& mesh, std::span<const ElementSide> sides)
+{
+    std::vector<bool> marked(mesh.points.size(), false);
+    std::vector<SideOfNodes> sorted;
+    const auto quadOf = [&](const ElementSide& side) {
+        Quad nodes = mesh.sideNodes(side);
+        std::ranges::sort(nodes);
+        return nodes;
+    };
+    for (const ElementSide& side : sides) {
+        sorted.push_back({quadOf(side), side});
+        for (const Index node : sorted.back().nodes) marked[std::size_t(node)] = true;
+    }
+    std::ranges::sort(sorted);
+    std::vector<bool> inner(sorted.size(), false);
+    for (Index element = 0; element < Index(mesh.hexahedra.size()); ++element)
+        for (Index side = 0; side < 6; ++side) {
+            const Quad corners = mesh.sideNodes({element, side});
+            if (!std::ranges::all_of(corners, [&](Index n) { return marked[std::size_t(n)]; }))
+                continue;
+            const Quad nodes = quadOf({element, side});
+            for (auto at = std::ranges::lower_bound(sorted, nodes, {}, &SideOfNodes::nodes);
+                 at != sorted.end() && at->nodes == nodes; ++at)
+                if (at->side.element != element) inner[std::size_t(at - sorted.begin())] = true;
+        }
+    std::vector<ElementSide> out;
+    for (const ElementSide& side : sides) {
+        const auto at = std::ranges::lower_bound(sorted, SideOfNodes{quadOf(side), side});
+        if (inner[std::size_t(at - sorted.begin())]) out.push_back(side);
+    }
+    return out;
+}
+
 std::vector<Index> nodesOf(const Mesh& mesh, std::span<const ElementSide> sides)
 {
     std::vector<Index> nodes;

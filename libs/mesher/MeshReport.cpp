@@ -3,6 +3,7 @@
 #include "base/Format.h"
 #include "mesh/Quality.h"
 #include "mesh/SmallElements.h"
+#include "mesh/Surface.h"
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,17 @@ void MeshReport::total()
         row(format("total, {} {}", bodies_, bodies_ == 1 ? "body" : "bodies"),
             {toText(elements_), toText(nodes_), toText(minScaledJacobian_, digits), "",
              toText(maxEdgeRatio_, digits), toText(minHeight_, digits), toText(volume_, digits)}));
+}
+
+void reportInnerSides(const Mesh& mesh, Log& log)
+{
+    for (const auto& [name, sides] : mesh.sideSets) {
+        const std::size_t inner = innerSides(mesh, sides).size();
+        if (inner > 0)
+            log.line(format("set {}: {} of its {} sides lie inside the material, between elements "
+                            "that share the nodes: no place for a pressure, a traction or contact",
+                            name, inner, sides.size()));
+    }
 }
 
 void reportSmallElements(const Mesh& mesh, Log& log)

@@ -22,6 +22,9 @@ private:
     double minScaledJacobian_, minHeight_, maxEdgeRatio_ = 0, volume_ = 0;
 };
 
+/// One line for each side set with sides inside the material.
+void reportInnerSides(const Mesh& mesh, Log& log);
+
 /// One line where a few elements are so small that they set the time step of all.
 void reportSmallElements(const Mesh& mesh, Log& log);
 

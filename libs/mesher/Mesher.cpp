@@ -20,6 +20,7 @@ Mesh makeMesh(const Dictionary& meshDict, const Case& theCase, bool allowGeo, Lo
     MeshedBodies meshed = meshBodies(bodies, theCase, allowGeo, log);
     makeSets(sets, meshed, log);
     renumber(meshed.mesh);
+    reportInnerSides(meshed.mesh, log);
     reportSmallElements(meshed.mesh, log);
     return std::move(meshed.mesh);
 }

@@ -159,6 +159,9 @@ void readLoadPlace(const Dictionary& entry, const Mesh& mesh, BoundaryCondition&
         return;
     }
     condition.sides = selectSides(entry, mesh);
+    if (condition.kind != Kind::force) // whose total does not ask which side it acts on
+        refuseInnerSides(entry, "set", mesh, condition.sides,
+                         condition.kind == Kind::pressure ? "a pressure" : "a traction");
     condition.nodes = nodesOf(mesh, condition.sides);
     if (condition.nodes.empty())
         entry.fail("set", "set '" + entry.word("set") + "' is empty",

@@ -3,6 +3,7 @@
 #include "base/Format.h"
 #include "mesh/Surface.h"
 #include "model/Names.h"
+#include "model/NodeSelection.h"
 #include "model/PointAlgebra.h"
 
 #include <algorithm>
@@ -70,6 +71,7 @@ namedSides(const Mesh& mesh, const SurfaceEntry& surface, const Dictionary& plac
                                     : "set",
                    "surface '" + surface.name + "' is empty: " + story,
                    "widen 'facing' or 'within', or choose another part or set");
+    if (!surface.set.empty()) refuseInnerSides(place, "set", mesh, sides, "contact");
     return sides;
 }
 
@@ -93,6 +95,7 @@ std::vector<ElementSide> contactSides(const Mesh& mesh,
                    "let it be the target, and the body the contactor");
     if (const auto set = mesh.sideSets.find(name); set != mesh.sideSets.end()) {
         if (set->second.empty()) place.fail(key, "side set '" + name + "' is empty");
+        refuseInnerSides(place, key, mesh, set->second, "contact");
         return set->second;
     }
     std::vector<std::string> names;

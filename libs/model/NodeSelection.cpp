@@ -2,6 +2,7 @@
 
 #include "mesh/Surface.h"
 #include "model/Names.h"
+#include "model/PointAlgebra.h"
 
 #include <algorithm>
 
@@ -73,6 +74,23 @@ std::vector<ElementSide> selectSides(const Dictionary& entry, const Mesh& mesh)
                mesh.nodeSets.count(name) ? "'" + name + "' is a set of nodes: it has no area"
                                          : "the mesh has no side set '" + name + "'",
                nameAdvice(name, keysOf(mesh.sideSets), "side sets of the mesh"));
+}
+
+void refuseInnerSides(const Dictionary& entry,
+                      const std::string& key,
+                      const Mesh& mesh,
+                      const std::vector<ElementSide>& sides,
+                      const std::string& use)
+{
+    const std::vector<ElementSide> inner = innerSides(mesh, sides);
+    if (inner.empty()) return;
+    entry.fail(
+        key,
+        format("{} of {} sides lie inside the material, such as that at {}: elements on "
+               "both sides of it share its nodes, so it is no surface for {}",
+               inner.size(), sides.size(), pointText(centre(mesh, inner.front())), use),
+        "name a set on the outside; or, if two bodies shall meet there, give each nodes of "
+        "its own when the mesh is made (in gmsh: no fragments, no merging of the interface)");
 }
 
 std::vector<Index> selectParts(const Dictionary& entry, const Mesh& mesh)

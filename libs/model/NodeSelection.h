@@ -17,6 +17,14 @@ std::vector<Index> selectNodes(const Dictionary& entry, const Mesh& mesh);
 /// Sides of the side set an entry names by `set`. Throws InputError for anything else.
 std::vector<ElementSide> selectSides(const Dictionary& entry, const Mesh& mesh);
 
+/// Refuses, at `key` of `entry`, sides of a set that lie inside the material; `use`: what they are
+/// wanted for, "a pressure".
+void refuseInnerSides(const Dictionary& entry,
+                      const std::string& key,
+                      const Mesh& mesh,
+                      const std::vector<ElementSide>& sides,
+                      const std::string& use);
+
 /// Parts an entry names by `parts`; all where it has none.
 std::vector<Index> selectParts(const Dictionary& entry, const Mesh& mesh);
 

@@ -26,7 +26,8 @@ void refuseRigidPair(const Mesh& mesh,
     pair.fail("target",
               "parts '" + mesh.parts[std::size_t(contactor)].name + "' and '"
                   + mesh.parts[std::size_t(target)].name + "' are both rigid: neither can give way",
-              "remove the pair, or make one of the parts deformable in constant/partProperties");
+              "what works: rigid against deformable. Let the part that matters less be elastic and "
+              "stiff in constant/partProperties, or remove the pair");
 }
 
 void refuseRigidContactor(const Mesh& mesh,
@@ -36,10 +37,13 @@ void refuseRigidContactor(const Mesh& mesh,
 {
     const Index contactor = rigidPartAmong(mesh, surfaces.contactorSides, rigid);
     if (contactor < 0) return;
-    pair.fail("contactor",
-              "part '" + mesh.parts[std::size_t(contactor)].name
-                  + "' is rigid, and so is an analytic surface: neither can give way",
-              "remove the pair, or make the part deformable in constant/partProperties");
+    pair.fail(
+        "contactor",
+        "part '" + mesh.parts[std::size_t(contactor)].name
+            + "' is rigid, and so is an analytic surface: neither can give way",
+        "what works: a rigid part against a deformable one. Let the part be elastic and stiff in "
+        "constant/partProperties; or instead of the surface mesh a block of a few elements, "
+        "elastic and held at its back; or remove the pair");
 }
 
 } // namespace fpm

@@ -89,3 +89,18 @@ TEST(Surface, ADegenerateSideHasNoNormal)
     EXPECT_EQ(normal(mesh, {0, 4}), (Point{0, 0, 0}));
     EXPECT_EQ(area(mesh, {0, 4}), 0);
 }
+
+TEST(Surface, SidesThatTwoElementsShareLieInside)
+{
+    const Mesh mesh = test::boxMesh({2, 2, 2});
+    EXPECT_TRUE(innerSides(mesh, skin(mesh, 0)).empty());
+    // Side 1 of element 0 is side 0 of element 1.
+    const std::vector<ElementSide> some{{0, 0}, {0, 1}, {1, 0}, {3, 4}, {0, 5}};
+    EXPECT_EQ(innerSides(mesh, some), (std::vector<ElementSide>{{0, 1}, {1, 0}, {0, 5}}));
+}
+
+TEST(Surface, BodiesThatTouchWithNodesOfTheirOwnHaveNoInnerSides)
+{
+    const Mesh mesh = twoBoxes();
+    EXPECT_TRUE(innerSides(mesh, skin(mesh, 1)).empty());
+}

@@ -145,3 +145,41 @@ TEST(BoundaryReader, AddsAnInitialRotationToAVelocity)
     ASSERT_EQ(read.size(), 2u);
     EXPECT_EQ(read[1].at({1, 2, 5}), (Point{-20, 0, 0}));
 }
+
+namespace {
+
+/// Two elements of two parts, one on the other, that share the nodes between them.
+Mesh glued()
+{
+    Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {1, 1, 2}, {1, 1, 2}}});
+    mesh.parts = {{"lower", 0, 1}, {"upper", 1, 1}};
+    mesh.sideSets["interface"] = {{0, 5}};
+    return mesh;
+}
+
+} // namespace
+
+TEST(BoundaryReader, RefusesPressureAndTractionInsideTheMaterial)
+{
+    const auto refused = [](const std::string& entries) {
+        return refusal([&] {
+            readBoundaryConditions(Dictionary::parse("p { " + entries + " }", "boundary"), glued());
+        });
+    };
+    EXPECT_EQ(
+        refused("type pressure; set interface; value 100;"),
+        "1 of 1 sides lie inside the material, such as that at (0.5 0.5 1): elements on both "
+        "sides of it share its nodes, so it is no surface for a pressure\n"
+        "  --> boundary:1:24, in p\n"
+        "   |\n"
+        " 1 | p { type pressure; set interface; value 100; }\n"
+        "   |                        ^^^^^^^^^\n"
+        "   = name a set on the outside; or, if two bodies shall meet there, give each nodes of "
+        "its own when the mesh is made (in gmsh: no fragments, no merging of the interface)\n");
+    EXPECT_TRUE(contains(refused("type traction; set interface; value (1 0 0);"), "a traction"));
+    // A total force does not ask for a side of it.
+    EXPECT_NO_THROW(readBoundaryConditions(
+        Dictionary::parse("p { type force; set interface; value (1 0 0); distribution area; }"
+                          "q { type pressure; set lower.zMin; value 1; }"),
+        glued()));
+}

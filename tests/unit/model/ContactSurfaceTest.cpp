@@ -92,3 +92,21 @@ TEST(ContactSurface, RefusesRegionsThatHoldNothing)
     EXPECT_TRUE(contains(refusal([] { contactor("s", "s { part lower; facing (0 0 0); }"); }),
                          "points nowhere"));
 }
+
+TEST(ContactSurface, RefusesSetsInsideTheMaterial)
+{
+    Mesh mesh = test::boxMesh(
+        {{"lower", {0, 0, 0}, {1, 1, 2}, {1, 1, 2}}, {"block", {0, 0, 3}, {1, 1, 1}, {1, 1, 1}}});
+    mesh.sideSets["interface"] = {{0, 5}};
+    for (const char* surfaces : {"", "s { set interface; }"}) {
+        const auto dictionary = Dictionary::parse(
+            std::string("pairs { p { contactor block; target ") + (*surfaces ? "s" : "interface")
+            + "; } } surfaces { " + surfaces + " }");
+        const ContactEntries entries = readContactEntries(dictionary);
+        EXPECT_TRUE(contains(refusal([&] {
+                                 contactSides(mesh, entries, entries.pairs.front(), "target",
+                                              dictionary);
+                             }),
+                             "1 of 1 sides lie inside the material, such as that at (0.5 0.5 1)"));
+    }
+}
