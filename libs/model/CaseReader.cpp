@@ -1,6 +1,7 @@
 #include "model/CaseReader.h"
 
 #include "base/Format.h"
+#include "model/PointAlgebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,18 +73,51 @@ double waveSpeed(const Part& part)
     return std::sqrt(modulus / part.density);
 }
 
+namespace {
+
+/// "(mm tonne s)", as a question ends with it.
+std::string unitsText(const std::array<std::string, 3>& units)
+{
+    return format("in the units of constant/caseProperties ({} {} {})", units[0], units[1],
+                  units[2]);
+}
+
+} // namespace
+
 void checkUnits(const std::vector<Part>& parts, const std::array<std::string, 3>& units, Log& log)
 {
-    const double toSi = metresPerSecond(units);
+    const double toSi = metresPerSecond(units), length = factorOf(lengthUnits, units[0]),
+                 toDensity = factorOf(massUnits, units[1]) / (length * length * length);
     for (const Part& part : parts) {
-        if (isRigid(part.kind)) continue;
-        const double speed = waveSpeed(part) * toSi;
-        if (speed >= 50 && speed <= 20000) continue;
-        log.warning(format(
-            "part '{}': its wave speed would be {} m/s, solids have 50 to 20000; are "
-            "density {} and youngsModulus {} in the units of constant/caseProperties "
-            "({} {} {})?",
-            part.name, speed, part.density, part.youngsModulus, units[0], units[1], units[2]));
+        const double speed = isRigid(part.kind) ? 1000 : waveSpeed(part) * toSi,
+                     density = part.density * toDensity;
+        if (!(speed >= 50 && speed <= 20000))
+            log.warning(format("part '{}': its wave speed would be {} m/s, solids have 50 to "
+                               "20000; are density {} and youngsModulus {} {}?",
+                               part.name, speed, part.density, part.youngsModulus,
+                               unitsText(units)));
+        else if (density > 0 && !(density >= 1 && density <= 30000))
+            log.warning(format("part '{}': its density would be {} kg/m3, solids have 1 to 30000; "
+                               "is density {} {}?",
+                               part.name, density, part.density, unitsText(units)));
+    }
+}
+
+void checkGravity(const std::vector<BoundaryCondition>& conditions,
+                  const std::array<std::string, 3>& units,
+                  Log& log)
+{
+    const double toSi = metresPerSecond(units) / factorOf(timeUnits, units[2]);
+    for (const BoundaryCondition& condition : conditions) {
+        if (condition.kind != BoundaryCondition::Kind::gravity) continue;
+        double factor = 0;
+        for (const auto& row : condition.amplitude.rows)
+            factor = std::max(factor, std::abs(row[1]));
+        const double given = factor * length(condition.value), found = given * toSi;
+        if (!(found > 0) || (found >= 0.1 && found <= 1000)) continue;
+        log.warning(format("gravity '{}': its acceleration would be {} m/s2, gravity is 9.81 and "
+                           "loads of its kind 0.1 to 1000; is {} {}? 9.81 m/s2 are {} there",
+                           condition.name, found, given, unitsText(units), toText(9.81 / toSi, 6)));
     }
 }
 

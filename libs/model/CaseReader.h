@@ -19,8 +19,12 @@ double metresPerSecond(const std::array<std::string, 3>& units);
 /// Speed of compression waves, sqrt((lambda + 2 mu) / rho) [length/time].
 double waveSpeed(const Part& part);
 
-/// Warns when a part's wave speed, in m/s, is one no solid has (50 ... 20000): the usual sign of a
-/// density or modulus given in other units than the rest.
+/// Warns when a part's wave speed, in m/s, is one no solid has (50 ... 20000), or its density, in
+/// kg/m3 (1 ... 30000): the usual signs of values given in other units than the rest.
 void checkUnits(const std::vector<Part>& parts, const std::array<std::string, 3>& units, Log& log);
+/// The same of the largest acceleration of a gravity, in m/s2 (0.1 ... 1000).
+void checkGravity(const std::vector<BoundaryCondition>& conditions,
+                  const std::array<std::string, 3>& units,
+                  Log& log);
 
 } // namespace fpm

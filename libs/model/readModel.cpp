@@ -161,6 +161,7 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
 
     const Dictionary boundary = dictionaryOrEmpty(theCase, "constant/boundaryConditions");
     model.boundaryConditions = readBoundaryConditions(boundary, model.mesh);
+    checkGravity(model.boundaryConditions, model.units, log);
     model.initialVelocities =
         readInitialVelocities(dictionaryOrEmpty(theCase, "0/initialConditions"), model.mesh);
     checkMotions(model, boundary, log);

@@ -62,3 +62,60 @@ TEST(CaseReader, AcceptsSteelAndQuestionsADensityInOtherUnits)
     }
     EXPECT_TRUE(contains(folder.logText(), "warning: part 'rod': its wave speed would be 0.006"));
 }
+
+TEST(CaseReader, QuestionsADensityThatCancelsInTheWaveSpeed)
+{
+    // Both a thousand times too large, as with kilograms for tonnes.
+    const test::CaseFolder folder;
+    Part part = steel(7.85e-6);
+    part.youngsModulus *= 1000;
+    {
+        Log log(folder.logFile());
+        checkUnits({part}, {"mm", "tonne", "s"}, log);
+    }
+    EXPECT_TRUE(contains(folder.logText(), "warning: part 'rod': its density would be 7.85e+06"));
+    for (const double density : {2e-12, 2.3e-8}) { // aerogel, osmium
+        part.density = density;
+        part.youngsModulus = density * 1e12;
+        Log log(folder.logFile());
+        checkUnits({part}, {"mm", "tonne", "s"}, log);
+        EXPECT_EQ(folder.logText(), "") << density;
+    }
+    // A rigid part has no wave speed, but a density.
+    part.kind = PartKind::rigidFree;
+    part.density = 7850;
+    Log log(folder.logFile());
+    checkUnits({part}, {"mm", "tonne", "s"}, log);
+    EXPECT_TRUE(contains(folder.logText(), "its density would be 7.85e+15"));
+}
+
+TEST(CaseReader, QuestionsGravityInOtherUnits)
+{
+    const auto said = [](double value, std::array<std::string, 3> units,
+                         std::vector<std::array<double, 2>> rows = {{0.0, 1.0}}) {
+        const test::CaseFolder folder;
+        BoundaryCondition gravity;
+        gravity.kind = BoundaryCondition::Kind::gravity;
+        gravity.name = "g";
+        gravity.value = {0, 0, -value};
+        gravity.amplitude.rows = rows;
+        BoundaryCondition force = gravity; // of any size
+        force.kind = BoundaryCondition::Kind::force;
+        force.value = {1e9, 0, 0};
+        Log log(folder.logFile());
+        checkGravity({force, gravity}, units, log);
+        return folder.logText();
+    };
+    EXPECT_EQ(said(9.81, {"mm", "tonne", "s"}),
+              "warning: gravity 'g': its acceleration would be 0.00981 m/s2, gravity is 9.81 and "
+              "loads of its kind 0.1 to 1000; is 9.81 in the units of constant/caseProperties (mm "
+              "tonne s)? 9.81 m/s2 are 9810 there\n");
+    EXPECT_EQ(said(9810, {"mm", "tonne", "s"}), "");
+    EXPECT_EQ(said(9.81, {"m", "kg", "s"}), "");
+    EXPECT_EQ(said(9.81e-3, {"mm", "kg", "ms"}), "");
+    EXPECT_NE(said(9.81, {"mm", "kg", "ms"}), "");
+    EXPECT_EQ(said(0, {"m", "kg", "s"}), "");
+    // The amplitude counts.
+    EXPECT_EQ(said(1, {"m", "kg", "s"}, {{0, 0}, {1, 9.81}}), "");
+    EXPECT_NE(said(9.81, {"m", "kg", "s"}, {{0, 0}, {1, 1e4}}), "");
+}
