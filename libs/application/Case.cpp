@@ -1,6 +1,7 @@
 #include "application/Case.h"
 
 #include "application/Confinement.h"
+#include "application/UnreadFiles.h"
 #include "base/Format.h"
 
 #include <system_error>
@@ -22,10 +23,14 @@ Case::Case(fs::path root)
 
 Dictionary Case::dictionary(std::string_view relative) const
 {
-    if (!hasFile(relative))
+    if (!hasFile(relative)) {
+        const std::string meant = lookalikeOf(*this, std::string(relative));
         throw Error(ExitCode::dictionary,
                     format("{} is missing in case {}", relative, root_.string()),
-                    "copy it from a tutorial, or let the application write it: -writeDefaults");
+                    meant.empty()
+                        ? "copy it from a tutorial, or let the application write it: -writeDefaults"
+                        : format("is '{}' meant for it? Rename it", meant));
+    }
     return Dictionary::read(path(relative), root_);
 }
 

@@ -1,5 +1,6 @@
 #include "model/readModel.h"
 
+#include "application/UnreadFiles.h"
 #include "base/Format.h"
 #include "mesh/MeshFile.h"
 #include "model/BoundaryReader.h"
@@ -150,6 +151,7 @@ Model readModel(const Case& theCase, Log& log)
 
 Model readModel(const Case& theCase, const Dictionary& control, Log& log)
 {
+    warnOfUnreadFiles(theCase, control.name(), log);
     Model model;
     const CaseProperties properties =
         readCaseProperties(theCase.dictionary("constant/caseProperties"));
