@@ -4,6 +4,7 @@
 #include "io/AtomicFile.h"
 #include "solver/ContactWatch.h"
 #include "solver/Histories.h"
+#include "solver/Inversion.h"
 #include "solver/Performance.h"
 #include "solver/RunForecast.h"
 #include "solver/resultFrame.h"
@@ -184,22 +185,25 @@ private:
         if (clock_.failed == 2)
             fail(format("step {} at time {}: timeStep.fixed {} is beyond the stable step {}",
                         clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep));
-        if (clock_.failed)
-            fail(format("step {} at time {}: {}", clock_.steps, clock_.time,
-                        worstElement(solver_, model_)));
+        if (clock_.failed) {
+            const Inversion found = inversionOf(solver_, model_);
+            fail(format("step {} at time {}: {}", clock_.steps, clock_.time, found.what),
+                 found.advice);
+        }
         if (const std::string why = endlessReason(clock_, control_, maxSteps_); !why.empty())
-            fail(why);
+            fail(why, "see what limits the step, and whether endTime and the units are meant so");
     }
 
-    [[noreturn]] void fail(const std::string& what)
+    [[noreturn]] void fail(const std::string& what,
+                           const std::string& advice =
+                               "try a smaller timeStep.safety or normalScale, and see the element "
+                               "or pair named")
     {
         writeFileAtomically(run_.theCase.path("why.txt"), what + "\n");
         if (clock_.time > lastFrame_) writeFrame();
         finish();
-        throw Error(
-            ExitCode::numericalStop, what,
-            "the state up to here is in the last time folder; try a smaller timeStep.safety "
-            "or normalScale, and look at the element or pair named");
+        throw Error(ExitCode::numericalStop, what,
+                    "the state up to here is in the last time folder; " + advice);
     }
 
     void writeFrame()

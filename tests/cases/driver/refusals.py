@@ -1,0 +1,70 @@
+"""What stops a run, or is told before it, with the words that help."""
+
+from driver.scene import Scene, elastic
+
+STEEL = elastic("a", 210000, 0.3, 7.85e-9) + elastic("b", 210000, 0.3, 7.85e-9)
+
+
+def deepStart(binaries, marks):
+    """A block in a plate one element thick: held down to half the plate, refused beyond it."""
+    for depth, holds in ((0.3, True), (0.45, True), (0.6, False), (0.9, False)):
+        with Scene(binaries, end=1e-6, parts=STEEL,
+                   bodies="a { type box; origin (0 0 0); size (10 10 1); cells (5 5 1); }"
+                          f"b {{ type box; origin (2.5 2.5 {1 - depth}); size (4 4 4); "
+                          "cells (3 3 3); }",
+                   pairs="p { contactor b; target a; initialOverlap ramp; rampTime 1e-6; }",
+                   initial="v { type velocity; part b; value (0 0 -5000); }") as case:
+            case.run("fpmMesh")
+            done = {name: case.start(name) for name in ("fpmSetContact", "fpmExplicit")}
+            for name, run in done.items():
+                told = f"lies {depth} deep, and contact finds a node down to 0.5" in run.stdout
+                marks.true(f"{depth} deep: {name} {run.returncode}",
+                           run.returncode == (0 if holds else 3) and told == (not holds))
+            if holds:
+                marks.true("and it is held", max(case.contact("p")["active"]) == 16)
+
+
+FOAM = ("a {{ model elastic; density 1e-10; youngsModulus 1; poissonsRatio 0.1; {} }}")
+
+
+def crushed(binaries, marks):
+    """Foam between planes, crushed to a tenth: where, how much, and what practice does then."""
+    for form, more in (("selective", "hexahedron reduced and erosion { inverted yes; }"),
+                       ("reduced", "let part a have erosion { inverted yes; }"),
+                       ("reduced; erosion { inverted yes; }", "")):
+        with Scene(
+                binaries, end=2e-2, parts=FOAM.format(f"hexahedron {form};"),
+                bodies="a { type box; origin (0 0 0); size (40 40 40); cells (4 4 4); }",
+                pairs="t { contactor a; target top; friction 0.3; normalScale 20; }"
+                      "b { contactor a; target bot; friction 0.3; normalScale 20; }",
+                surfaces="bot { type plane; point (0 0 0); normal (0 0 1); }"
+                         "top { type plane; point (0 0 40); normal (0 0 -1); motion { "
+                         "displacement (0 0 -36); amplitude smooth ((0 0) (2e-2 1)); } }",
+                control="energyBalance { stop 1e3; warning 1e3; }") as case:
+            case.mesh()
+            done = case.start("fpmExplicit", "-threads", "1")
+            if not more:
+                marks.true(f"what it says helps: status {done.returncode}, not the elements",
+                           "no positive volume any more" not in done.stdout)
+                continue
+            marks.true(f"{form}: status {done.returncode}", done.returncode == 10)
+            marks.true("where and how much", "no positive volume any more: at (" in done.stdout
+                       and "times as long as at the start" in done.stdout)
+            marks.true("erosion, elements, material", more in done.stdout
+                       and "coarser or pre-shaped elements" in done.stdout)
+            marks.true("no smaller step", "smaller timeStep.safety" not in done.stdout)
+
+
+def misspelt(binaries, marks):
+    """A load in a file of nearly the right name is not left out without a word."""
+    with Scene(binaries, end=1e-7, parts=elastic("a", 210000, 0.3, 7.85e-9),
+               bodies="a { type box; origin (0 0 0); size (1 1 1); cells (1 1 1); }",
+               conditions="g { type gravity; value (0 0 -9.81); }") as case:
+        case.mesh()
+        marks.true("gravity in mm is asked about", "its acceleration would be 0.00981 m/s2"
+                   in case.run("fpmExplicit"))
+        (case.root / "constant/boundaryConditions").rename(
+            case.root / "constant/boundaryCondition")
+        output = case.run("fpmExplicit")
+        marks.true("boundaryCondition is told", "warning: constant/boundaryCondition is not read"
+                   in output)
