@@ -113,17 +113,18 @@ MeshedBodies meshBodies(const Bodies& bodies, const Case& theCase, bool allowGeo
     requireMemory(bodies);
     MeshedBodies result;
     MeshReport report(log);
-    const auto add = [&](const std::string& entry, const std::string& source, Mesh body) {
+    const auto add = [&](const std::string& entry, const std::string& source, Mesh body,
+                         double roundVolume) {
         checkMesh(body, source, log);
-        report.add(body);
+        report.add(body, roundVolume);
         for (const auto& part : body.parts) result.partsOfEntry[entry].push_back(part.name);
         append(result.mesh, std::move(body));
     };
     for (const auto& entry : bodies.entries) {
         for (const auto& shape : entry.shapes)
-            add(entry.name, shape.subject, meshShape(shape, log));
+            add(entry.name, shape.subject, meshShape(shape, log), shape.roundVolume);
         if (!entry.file.empty())
-            add(entry.name, entry.file, readFile(entry, theCase, allowGeo, log));
+            add(entry.name, entry.file, readFile(entry, theCase, allowGeo, log), 0);
     }
     report.total();
     return result;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fpm {
 
@@ -42,6 +43,7 @@ Shape readCylinder(const std::string& name, const Dictionary& entry, int refinem
     requireCountable(entry, "axial", shape.cellCount);
     shape.faces = {"bottom", "top", "outer"};
     shape.hasEnds = true;
+    shape.roundVolume = std::numbers::pi / 4 * quarters * radius * radius * height;
     const int symmetry = addSymmetryFaces(shape, placement);
 
     const double base = placement.base[placement.axis];

@@ -50,6 +50,8 @@ Shape readHollowCylinder(const std::string& name, const Dictionary& entry, int r
     requireCountable(entry, "circumferential", shape.cellCount);
     shape.faces = {"bottom", "top", "outer", "inner"};
     shape.hasEnds = true;
+    shape.roundVolume = std::numbers::pi / 4 * quarters * height
+                        * (outerRadius * outerRadius - innerRadius * innerRadius);
     const int symmetry = addSymmetryFaces(shape, placement);
 
     const double base = placement.base[placement.axis];

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t nameWidth = 20, numberWidth = 12;
 constexpr int digits = 5;
+constexpr double missingAtMost = 0.005; ///< of a round section, without a word
 
 std::string row(std::string name, const std::array<std::string, 7>& cells)
 {
@@ -45,7 +47,7 @@ MeshReport::MeshReport(Log& log)
                            "min height", "volume"}));
 }
 
-void MeshReport::add(const Mesh& body)
+void MeshReport::add(const Mesh& body, double roundVolume)
 {
     const Quality figures = quality(body);
     log_.line(
@@ -54,6 +56,12 @@ void MeshReport::add(const Mesh& body)
              toText(figures.minScaledJacobian, digits),
              toText(figures.medianScaledJacobian, digits), toText(figures.maxEdgeRatio, digits),
              toText(figures.minHeight, digits), toText(figures.totalVolume, digits)}));
+    const double missing = roundVolume > 0 ? 1 - figures.totalVolume / roundVolume : 0;
+    if (missing > missingAtMost)
+        notes_.push_back(format(
+            "{}: its chords lack {} % of the round section, and so of mass and stiffness: more "
+            "cells around, or {} times the radius for the same area",
+            nameOf(body), toText(100 * missing, 3), toText(1 / std::sqrt(1 - missing), 5)));
     ++bodies_;
     elements_ += body.hexahedra.size();
     nodes_ += body.points.size();
@@ -69,6 +77,7 @@ void MeshReport::total()
         row(format("total, {} {}", bodies_, bodies_ == 1 ? "body" : "bodies"),
             {toText(elements_), toText(nodes_), toText(minScaledJacobian_, digits), "",
              toText(maxEdgeRatio_, digits), toText(minHeight_, digits), toText(volume_, digits)}));
+    for (const std::string& note : notes_) log_.line(note);
 }
 
 void reportInnerSides(const Mesh& mesh, Log& log)

@@ -4,6 +4,8 @@
 #include "mesh/Mesh.h"
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace fpm {
 
@@ -13,13 +15,15 @@ class MeshReport
 public:
     /// Prints the head of the table.
     explicit MeshReport(Log& log);
-    void add(const Mesh& body);
-    void total();
+    /// `roundVolume`: of the body with its arcs, where it is made of chords; 0: it has none.
+    void add(const Mesh& body, double roundVolume = 0);
+    void total(); ///< the last line, and what there is to say of single bodies
 
 private:
     Log& log_;
     std::size_t bodies_ = 0, elements_ = 0, nodes_ = 0;
     double minScaledJacobian_, minHeight_, maxEdgeRatio_ = 0, volume_ = 0;
+    std::vector<std::string> notes_; ///< below the table
 };
 
 /// One line for each side set with sides inside the material.

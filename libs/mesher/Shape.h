@@ -29,6 +29,7 @@ struct Shape {
     std::int64_t cellCount = 0;
     std::vector<std::string> faces; ///< automatic side sets are <name>.<face>
     bool hasEnds = false;           ///< also <name>.ends = bottom and top
+    double roundVolume = 0;         ///< of the round body that the mesh stands for; 0: it has none
     std::function<PlacedNode(const Point&)> place;
     /// Directions of xi, eta, zeta at a place of the unit shape; right-handed after `place`.
     std::function<std::array<Point, 3>(const Point&)> axes;

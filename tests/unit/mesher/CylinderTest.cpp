@@ -217,4 +217,40 @@ TEST(HollowCylinder, TakesAnyNumberOfCellsAround)
     }
 }
 
+TEST(Cylinder, TellsTheAreaThatItsChordsLack)
+{
+    const MesherCase aCase;
+    const auto said = [&](const std::string& body) {
+        return aCase.said("bodies { r { base (0 0 0); height 5; axial 1; " + body + " } }");
+    };
+    // 8 and 16 sides around: 1 - sin(2 pi / n) / (2 pi / n) = 9.97 and 2.55 %.
+    for (const char* sector : {"full", "half", "quarter"}) {
+        const std::string rest = " sector " + std::string(sector) + ";";
+        EXPECT_NE(said("type cylinder; radius 10; core 1; rings 1;" + rest)
+                      .find("r: its chords lack 9.97 % of the round section"),
+                  std::string::npos);
+        EXPECT_NE(said("type cylinder; radius 10; core 2; rings 1;" + rest)
+                      .find("lack 2.55 % of the round section, and so of mass and stiffness: more "
+                            "cells around, or 1.013 times the radius for the same area"),
+                  std::string::npos);
+        EXPECT_EQ(said("type cylinder; radius 10; core 5; rings 1;" + rest).find("lack"),
+                  std::string::npos); // 40 sides, 0.41 %
+    }
+    const std::string tube = "type hollowCylinder; innerRadius 8; outerRadius 10; radial 1; ";
+    EXPECT_NE(said(tube + "circumferential 16;").find("lack 2.55 %"), std::string::npos);
+    EXPECT_EQ(said(tube + "circumferential 40;").find("lack"), std::string::npos);
+}
+
+TEST(Cylinder, HasTheAreaOfTheCircleWithTheRadiusThatIsTold)
+{
+    const MesherCase aCase;
+    const std::string rest = " base (0 0 0); height 1; axial 1; core 1; rings 1; } }";
+    const std::string said = aCase.said("bodies { r { type cylinder; radius 10;" + rest);
+    const std::size_t at = said.find(" or ") + 4;
+    const double factor = std::stod(said.substr(at));
+    const Mesh mesh =
+        meshOf("bodies { r { type cylinder; radius " + std::to_string(10 * factor) + ";" + rest);
+    EXPECT_NEAR(quality(mesh).totalVolume, 100 * std::numbers::pi, 0.05);
+}
+
 } // namespace fpm::test

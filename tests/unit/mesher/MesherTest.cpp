@@ -110,4 +110,15 @@ TEST(Mesher, RefusesMoreThanTheMachineHolds)
     }
 }
 
+TEST(Mesher, TellsAFewElementsThatSetTheTimeStep)
+{
+    const MesherCase aCase;
+    const std::string box = "bodies { a { type box; origin (0 0 0); size (10 10 10); cells "
+                            "(20 4 4); ";
+    EXPECT_NE(
+        aCase.said(box + "grading (1000 1 1); } }").find("32 of 320 elements (part a, between"),
+        std::string::npos);
+    EXPECT_EQ(aCase.said(box + "} }").find("time step"), std::string::npos);
+}
+
 } // namespace fpm::test

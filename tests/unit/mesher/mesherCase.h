@@ -29,6 +29,16 @@ public:
                         log);
     }
 
+    /// What meshing it is reported with.
+    std::string said(const std::string& meshDict) const
+    {
+        {
+            Log log(folder_ / "log");
+            makeMesh(Dictionary::parse(meshDict, "meshDict"), Case(folder_.path()), false, log);
+        }
+        return readBytes(folder_ / "log");
+    }
+
 private:
     TemporaryFolder folder_;
 };
