@@ -3,6 +3,7 @@
 #include "base/Format.h"
 #include "dictionary/Suggestion.h"
 #include "io/AtomicFile.h"
+#include "study/ChartAdvice.h"
 #include "study/ChartReport.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void writeResults(const ChartSpec& chart,
         log.line(format("wrote {}", picture.string()));
     }
     for (std::size_t i = 0; i < probes.size(); ++i)
-        log.line(conclusion(chart, chart.probes[i], rungs, probes[i]));
+        log.line(conclusion(chart, chart.probes[i], plan, rungs, probes[i]));
 }
 
 void runChart(const Case& theCase,

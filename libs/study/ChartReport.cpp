@@ -11,30 +11,6 @@ namespace fpm {
 
 namespace {
 
-/// Two digits, or all before the point of numbers people still read: 0.35, 1.1, 14, 250.
-std::string brief(double value)
-{
-    const bool isPlain = value >= 10 && value < 1e5;
-    return isPlain ? toText(std::round(value)) : toText(value, 2);
-}
-
-std::string percent(double share)
-{
-    return brief(100 * share) + " %";
-}
-
-std::string costOf(const ChartSpec& chart, double cost)
-{
-    switch (chart.cost) {
-    case CostKind::wall:
-        return brief(cost) + " s";
-    case CostKind::cpu:
-        return brief(cost) + " s of CPU";
-    default:
-        return brief(cost) + " element-steps";
-    }
-}
-
 std::string orderText(const std::optional<double>& order)
 {
     return order ? toText(*order, 3) : "-";
@@ -140,29 +116,6 @@ void addForeign(Plot& plot, const ChartSpec& chart, const ProbeResult& result)
     if (!series.x.empty()) plot.series.push_back(std::move(series));
 }
 
-/// The rung with the least error, and the cheapest one within the tolerance.
-struct Choice {
-    std::optional<std::size_t> best, enough;
-};
-
-Choice choose(const ChartSpec& chart,
-              const ChartProbe& probe,
-              const std::vector<RungResult>& rungs,
-              const ProbeResult& result)
-{
-    Choice choice;
-    for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
-        const double error = result.error(rung, probe.measure);
-        if (!std::isfinite(error)) continue;
-        if (!choice.best || error < result.error(*choice.best, probe.measure)) choice.best = rung;
-        const bool isEnough = error <= chart.tolerance;
-        if (isEnough
-            && (!choice.enough || rungs[rung].cost.median < rungs[*choice.enough].cost.median))
-            choice.enough = rung;
-    }
-    return choice;
-}
-
 } // namespace
 
 std::string chartTable(const ChartSpec& chart,
@@ -233,33 +186,6 @@ std::string chartPicture(const ChartSpec& chart,
     addFront(plot, probe, rungs, result);
     addForeign(plot, chart, result);
     return svgPlot(plot);
-}
-
-std::string conclusion(const ChartSpec& chart,
-                       const ChartProbe& probe,
-                       const std::vector<RungResult>& rungs,
-                       const ProbeResult& result)
-{
-    const Choice choice = choose(chart, probe, rungs, result);
-    const auto goal =
-        format("{} on {} ({})", percent(chart.tolerance), probe.name, measureText(probe));
-    if (!choice.best) return format("{}: no run has an error to judge", goal);
-    const RungResult& best = rungs[*choice.best];
-    const double bestError = result.error(*choice.best, probe.measure);
-    const std::string against = probe.reference.kind == ReferenceSpec::Kind::finest
-                                    ? format("; errors against {}", result.reference)
-                                    : "";
-    if (!choice.enough)
-        return format("no run is within {}: the best, {}, has {} at {}{}", goal, best.label,
-                      percent(bestError), costOf(chart, best.cost.median), against);
-    const RungResult& enough = rungs[*choice.enough];
-    const auto advice =
-        format("for {} use {}: {}", goal, enough.label, costOf(chart, enough.cost.median));
-    if (*choice.enough == *choice.best) return advice + ", the most accurate of all" + against;
-    return advice
-           + format(", {} times cheaper than the most accurate, {} ({}){}",
-                    brief(best.cost.median / enough.cost.median), best.label,
-                    bestError > 0 ? percent(bestError) : "the reference itself", against);
 }
 
 } // namespace fpm

@@ -20,11 +20,4 @@ std::string chartPicture(const ChartSpec& chart,
                          const std::vector<RungResult>& rungs,
                          const ProbeResult& result);
 
-/// "for 2 % on tip (L2 over time) use refinement 2, precision mixed: 1.1 s, 14 times cheaper than
-/// the finest, refinement 4, precision double".
-std::string conclusion(const ChartSpec& chart,
-                       const ChartProbe& probe,
-                       const std::vector<RungResult>& rungs,
-                       const ProbeResult& result);
-
 } // namespace fpm

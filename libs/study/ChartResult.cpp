@@ -100,6 +100,7 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
             .values[std::size_t(plan.rungs[line[line.size() - 1 - fromEnd]].values[number])];
     };
     result.theRung = format("{} {}", ladder.name, label(0));
+    result.isReference[line.back()] = true;
     const auto finest = "the finest rung, " + result.theRung;
     words = finest + ", whose own error is not known";
     if (line.size() < 3 || ladder.steps.empty()) return curve(0);
@@ -116,6 +117,7 @@ std::optional<Curve> finestCurve(const ChartProbe& probe,
         return curve(0);
     }
     result.theRung.clear();
+    result.isReference[line.back()] = false;
     words = format("Richardson's estimate from {} {} and {}, observed order {} (an estimate, no "
                    "exact solution)",
                    ladder.name, label(1), label(0), toText(*order, 3));
@@ -144,6 +146,16 @@ foreignError(const ForeignPoint& point, const ChartProbe& probe, std::optional<C
     if (probe.reference.kind == ReferenceSpec::Kind::expression)
         reference = formulaAt(point.curve->t, probe.reference.expression);
     return reference ? errorsOf(*point.curve, *reference).of(probe.measure) : noNumber;
+}
+
+/// Marks the rungs of equal content as well: another ladder may have the case as it is, too.
+void markSameRuns(const std::vector<RungResult>& rungs, std::vector<bool>& marked)
+{
+    const auto found = std::find(marked.begin(), marked.end(), true);
+    if (found == marked.end()) return;
+    const std::string& key = rungs[std::size_t(found - marked.begin())].row.key;
+    for (std::size_t rung = 0; rung < rungs.size(); ++rung)
+        if (rungs[rung].row.key == key) marked[rung] = true;
 }
 
 /// log(error / error before) / log(step / step before) along every line.
@@ -219,6 +231,7 @@ ProbeResult judge(const ChartProbe& probe,
                   const std::vector<RungResult>& rungs)
 {
     ProbeResult result;
+    result.isReference.resize(rungs.size());
     const Curves curves = historiesOf(probe, study, rungs);
     std::optional<Curve> reference = probe.reference.curve;
     result.reference = "the reference given";
@@ -226,6 +239,7 @@ ProbeResult judge(const ChartProbe& probe,
         reference = finestCurve(probe, chart, plan, curves, result);
     if (probe.reference.kind == ReferenceSpec::Kind::expression)
         result.reference = probe.reference.expression;
+    markSameRuns(rungs, result.isReference);
 
     result.errors.resize(rungs.size());
     result.orders.resize(rungs.size());
@@ -242,7 +256,7 @@ ProbeResult judge(const ChartProbe& probe,
     std::vector<double> costs, errors;
     for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
         costs.push_back(rungs[rung].cost.median);
-        errors.push_back(result.error(rung, probe.measure));
+        errors.push_back(result.isReference[rung] ? noNumber : result.error(rung, probe.measure));
     }
     result.front = paretoFront(costs, errors);
     return result;

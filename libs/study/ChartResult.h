@@ -26,7 +26,8 @@ struct RungResult {
 struct ProbeResult {
     std::vector<std::optional<CurveErrors>> errors; ///< of every rung; none where it failed
     std::vector<std::optional<double>> orders; ///< between a rung and the one before on its line
-    std::vector<bool> front; ///< nothing is both cheaper and more accurate (Pareto)
+    std::vector<bool> isReference; ///< rungs whose run is the reference: no error to judge them by
+    std::vector<bool> front;       ///< nothing is both cheaper and more accurate (Pareto)
     std::vector<double>
         foreign;           ///< errors of other programs; not a number: none, or not this probe
     std::string reference; ///< in words

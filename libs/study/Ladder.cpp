@@ -209,6 +209,43 @@ void readSteps(const Dictionary& entry, Ladder& ladder)
     }
 }
 
+/// Entries whose smaller value is the finer one.
+bool isFinerDownward(const Ladder& ladder)
+{
+    static const Words endings{"safety",         "contactLimit",
+                               "searchInterval", "massScaling.factor",
+                               "timeStep.fixed", "timeStep.maximum"};
+    if (ladder.changes.front().empty()) return false;
+    const std::string& path = ladder.changes.front().front().path;
+    return std::any_of(endings.begin(), endings.end(),
+                       [&](const std::string& ending) { return path.ends_with(ending); });
+}
+
+/// A number, or of a row of numbers their sum: rows of cells, say, of which one grows.
+std::optional<double> sizeOf(const std::string& value)
+{
+    double sum = 0;
+    for (const auto& item : value.starts_with('(') ? itemsOf(value) : Words{value}) {
+        const auto number = readNumber(item);
+        if (!number) return {};
+        sum += *number;
+    }
+    return sum;
+}
+
+/// Which values are finer: by their steps, else as numbers ascend. Words have no such order.
+void rankValues(Ladder& ladder)
+{
+    ladder.coarseness = ladder.steps;
+    if (!ladder.steps.empty()) return;
+    const double sign = isFinerDownward(ladder) ? 1 : -1;
+    for (const auto& value : ladder.values) {
+        const auto size = sizeOf(value);
+        if (!size) return ladder.coarseness.clear();
+        ladder.coarseness.push_back(sign * *size);
+    }
+}
+
 void readNames(const Dictionary& entry, Ladder& ladder, const std::string& key)
 {
     const auto requireDistinct = [&](const std::string& where) {
@@ -308,6 +345,7 @@ readLadders(const Dictionary& entries, const Case& theCase, const std::vector<Ca
         if (ladder.values.empty()) entry.fail(key, "a ladder needs at least one value");
         readSteps(entry, ladder);
         readNames(entry, ladder, key);
+        rankValues(ladder);
         ladders.push_back(std::move(ladder));
     }
     return ladders;

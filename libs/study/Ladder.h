@@ -13,6 +13,8 @@ struct Ladder {
     std::vector<std::string> values;              ///< of the rungs, as they are called
     std::vector<std::vector<CaseChange>> changes; ///< of every value
     std::vector<double> steps; ///< of every value: whose order is told; empty where none is
+    /// Of every value: a smaller one is finer; empty where no value is finer than another.
+    std::vector<double> coarseness;
 };
 
 /// The entries of `fixed`: what all runs of a chart have. Throws as readLadders.
