@@ -1,9 +1,10 @@
 #include "application/Application.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
-#include "solver/BusyCores.h"
+#include "solver/IdleCores.h"
 #include "solver/KernelReport.h"
 #include "solver/TimeLoop.h"
+#include "solver/WaitPolicy.h"
 
 #include <limits>
 
@@ -24,7 +25,7 @@ void applyOptions(const fpm::Run& run, fpm::Control& control)
         control.precision = precision == "double"  ? fpm::Precision::double_
                             : precision == "mixed" ? fpm::Precision::mixed
                                                    : fpm::Precision::single;
-    if (const auto threads = run.integer("threads", 1, 4096)) control.threads = int(*threads);
+    if (const auto threads = run.integer("threads", 0, 4096)) control.threads = int(*threads);
 }
 
 } // namespace
@@ -32,12 +33,13 @@ void applyOptions(const fpm::Run& run, fpm::Control& control)
 /// Runs the explicit time integration of a case: mesh and dictionaries -> time folders, histories.
 int main(int argc, char** argv)
 {
+    fpm::shortenSpin(argv);
     const fpm::ApplicationInfo info{
         "fpmExplicit",
         "Explicit dynamics of solids in contact (finite particle method).",
         "system/controlDict",
         {{"backend", "<word>", "serial, openmp or cuda"},
-         {"threads", "<n>", "threads of openmp"},
+         {"threads", "<n>", "threads of openmp; 0: as many as cores are idle"},
          {"simd", "<word>", "auto, scalar, avx2 or avx512"},
          {"precision", "<word>", "double, mixed or single"},
          {"maxSteps", "<n>", "end after n steps"},
@@ -49,7 +51,7 @@ int main(int argc, char** argv)
         applyOptions(run, model.control);
         const auto solver = fpm::makeSolver(model);
         run.log.line("running on " + solver->description());
-        const std::string busy = fpm::busyCoresNote(fpm::threadCount(model.control));
+        const std::string busy = fpm::busyCoresNote(model.control);
         if (!busy.empty()) run.log.line(busy);
         for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
         solver->start();

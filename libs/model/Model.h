@@ -146,7 +146,7 @@ struct Control {
     double relaxationTolerance = 0; ///< > 0: dynamic relaxation to rest
     double energyWarning = 0.01, energyStop = 0.05;
     std::string backend = "openmp"; ///< serial openmp cuda
-    int threads = 0;                ///< 0 = all cores
+    int threads = 0;                ///< 0 = as many as cores are idle
     std::string simd = "auto";      ///< auto scalar avx2 avx512
     Precision precision = Precision::double_;
     Assembly assembly = Assembly::patch;

@@ -102,6 +102,11 @@ public:
     {
         return threads_;
     }
+    /// From now on; at most those it was made with.
+    void useThreads(int threads)
+    {
+        threads_ = std::clamp(threads, 1, int(scratch_.size()));
+    }
     Index firstBlock(int thread, Index count) const
     {
         return Index(std::int64_t(count) * thread / threads_);

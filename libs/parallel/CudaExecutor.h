@@ -133,6 +133,7 @@ public:
     static bool alone() { return false; }
     /// Any thread may work any block.
     static int threads() { return 0; }
+    static void useThreads(int) {}
     static Index firstBlock(int, Index) { return 0; }
 
     /// begin(), then step() `count` times. Full runs of graphSteps are recorded once as a graph and

@@ -11,6 +11,7 @@
 #include "kernels/particle/PressurePass.h"
 #include "solver/DeviceState.h"
 #include "solver/Erosion.h"
+#include "solver/IdleCores.h"
 #include "solver/PenaltyData.h"
 #include "solver/Solver.h"
 #include "solver/checksum.h"
@@ -30,6 +31,7 @@ public:
 
     void start() override;
     void advance(double time, std::int64_t maxSteps) override;
+    void useThreads(int threads) override;
     StepClock clock() const override { return state_.clock.toHost()[0]; }
     Energies energies() override;
     NodalWorks nodalWorks() override;
@@ -97,6 +99,7 @@ private:
     double massDamping_;
     bool midStepStrain_;
     Executor executor_;
+    std::unique_ptr<IdleCores> cores_; ///< null where the number of threads is fixed
     std::string description_;
     DeviceState<Precision, Executor> state_;
     StepTimes times_;
@@ -137,6 +140,10 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     rules_.fixedStep = model.control.fixedTimeStep;
     rules_.beyondBound = model.control.beyondBound;
     searchInterval_ = model.control.searchInterval;
+    if (followsIdleCores(model.control)) {
+        cores_ = std::make_unique<IdleCores>(threadCount(model.control));
+        executor_.useThreads(cores_->threads());
+    }
     nearBlocks_ = NearBlocks(data_);
     if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const NearBlocks::Pass& pass : nearBlocks_.passes())
@@ -181,6 +188,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
             }
             steps = std::min(steps, nextSearch_ - now.steps);
         }
+        if (cores_) useThreads(cores_->threads());
         executor_.repeat(
             steps,
             [&] {
@@ -196,6 +204,15 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
     }
     if (now.time >= time) moveClock();
     times_.total += secondsSince(begin);
+}
+
+template <class Precision, class Executor>
+void ExplicitSolver<Precision, Executor>::useThreads(int threads)
+{
+    const int before = executor_.threads();
+    executor_.useThreads(threads);
+    if (executor_.threads() == before) return;
+    for (std::size_t place = 0; place < state_.searches.size(); ++place) shareContactNodes(place);
 }
 
 /// Does nothing once contact lists have to be made.

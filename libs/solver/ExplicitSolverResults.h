@@ -11,6 +11,7 @@ StepTimes ExplicitSolver<Precision, Executor>::times() const
     for (double* part : {&out.element, &out.contact, &out.node, &out.search})
         *part *= executor_.timedScale();
     out.search += hostSearch_;
+    out.threads = cores_ ? cores_->mean() : executor_.threads();
     for (const PassSearch& pass : state_.passSearches.toHost()) out.searches += pass.searches;
     if (searching_ == Searching::everyStep)
         out.searches += clock().steps * std::int64_t(nearBlocks_.passes().size());

@@ -60,6 +60,14 @@ double largestStiffnessOf(const SolverData& data, std::size_t pair)
     return most;
 }
 
+/// Whether the springs of contact bounded the last step.
+bool contactBoundsStep(const StepClock& clock, const Control& control)
+{
+    const double element = 2 / clock.elementStep, contact = clock.contactFrequency;
+    return contact >= element
+           || contact * control.timeStepSafety * clock.stableStep > control.contactStepLimit;
+}
+
 } // namespace
 
 std::string worstElement(Solver& solver, const Model& model)
@@ -107,10 +115,7 @@ std::string stepLimit(Solver& solver, const Model& model)
     if (model.control.fixedTimeStep > 0) return "timeStep.fixed";
     if (model.control.maximumTimeStep > 0 && clock.step >= model.control.maximumTimeStep)
         return "timeStep.maximum";
-    const double element = 2 / clock.elementStep, contact = clock.contactFrequency;
-    const double plain = model.control.timeStepSafety * clock.stableStep;
-    if (contact < element && contact * plain <= model.control.contactStepLimit)
-        return worstElement(solver, model);
+    if (!contactBoundsStep(clock, model.control)) return worstElement(solver, model);
     const ContactBound limit = solver.contactLimit();
     if (limit.part >= 0)
         return format("contact springs on rigidFree part {}, omega {}",
@@ -163,6 +168,18 @@ std::string frictionWorks(Solver& solver, const Model& model)
     return text;
 }
 
+/// Steps, and the pair and node whose springs bounded the last one.
+std::string stepFigures(Solver& solver, const Model& model)
+{
+    const StepClock clock = solver.clock();
+    const bool given = model.control.fixedTimeStep > 0 || model.control.maximumTimeStep > 0;
+    const bool contact = !given && clock.elementStep > 0 && contactBoundsStep(clock, model.control);
+    return format("  \"time\": {}, \"lastStep\": {}, \"elementStep\": {},\n"
+                  "  \"contactLimitedBy\": \"{}\",\n",
+                  toText(clock.time), toText(clock.step), toText(clock.elementStep),
+                  contact ? stepLimit(solver, model) : "");
+}
+
 /// What scripts read of a run; null is what was not timed, or has no meaning.
 std::string performanceText(Solver& solver, const Model& model, const std::string& checksum)
 {
@@ -186,8 +203,9 @@ std::string performanceText(Solver& solver, const Model& model, const std::strin
            + format("  \"backend\": \"{}\", \"precision\": \"{}\", \"algorithm\": \"{}\",\n",
                     model.control.backend, precisionName(model.control.precision),
                     model.control.paperAlgorithm ? "paper" : "default")
-           + format("  \"description\": \"{}\",\n", solver.description())
-           + frictionWorks(solver, model)
+           + format("  \"description\": \"{}\", \"threads\": {},\n", solver.description(),
+                    toText(t.threads, 4))
+           + stepFigures(solver, model) + frictionWorks(solver, model)
            + format(
                "  \"bytesPerElementStep\": {}, \"deviceBytes\": {}, \"checksum\": \"{}\"\n}\n",
                over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true, 4),
@@ -205,6 +223,9 @@ void reportPerformance(Solver& solver, const Model& model, Run& run)
     run.log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
                         elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
                         solver.description()));
+    if (t.threads > 0 && t.threads < threadCount(model.control) - 0.05)
+        run.log.line(format("  {} threads on average: other programs had the other cores",
+                            toText(t.threads, 3)));
     if (t.element > 0 && t.total > 0)
         run.log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
                             toText(100 * t.element / t.total, 3),

@@ -72,6 +72,7 @@ struct BodyMotionValues {
 struct StepTimes {
     double total = 0, element = 0, contact = 0, node = 0, search = 0;
     std::int64_t searches = 0; ///< of single passes
+    double threads = 0;        ///< of the CPU, on average; 0 on a GPU
 };
 
 /// State of chosen nodes: [value][node], values as in NodeSample.
@@ -104,6 +105,9 @@ public:
     virtual void start() = 0;
     /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early only on failure.
     virtual void advance(double time, std::int64_t maxSteps) = 0;
+    /// Goes on with so many threads of the CPU, those it was made with at most. No bit depends on
+    /// it.
+    virtual void useThreads(int threads) = 0;
 
     virtual StepClock clock() const = 0;
     virtual Energies energies() = 0;
@@ -126,7 +130,8 @@ public:
 /// the backend is not in this build or the machine lacks it; never falls back silently.
 /// `audit`: book nodal works of every force family, for tests.
 std::unique_ptr<Solver> makeSolver(const Model& model, bool audit = false);
-/// Threads of the CPU that a run will have: as many as cores where openmp is not told otherwise.
+/// Threads of the CPU that a run has at most: as many as it may use cores, or OMP_NUM_THREADS,
+/// where openmp is not told otherwise. Without both it follows the cores that are idle (IdleCores).
 int threadCount(const Control& control);
 
 } // namespace fpm

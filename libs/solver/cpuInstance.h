@@ -9,9 +9,10 @@ namespace fpm {
 template <class Precision, int Bits>
 std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, const char* simd)
 {
-    const std::string description = model.control.backend + ", " + std::to_string(threads)
-                                    + (threads == 1 ? " thread, " : " threads, ") + simd + ", "
-                                    + Precision::name;
+    const std::string description =
+        model.control.backend + (followsIdleCores(model.control) ? ", up to " : ", ")
+        + std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + simd + ", "
+        + Precision::name;
     // Enough for the largest patch a mesh may have (2048 nodes).
     const std::size_t scratch =
         std::max({elementScratch<typename Precision::Work>(2048), nodeScratch(), bodyScratch(),

@@ -1,9 +1,9 @@
 #include "base/Error.h"
 #include "base/Format.h"
+#include "solver/IdleCores.h"
 #include "solver/instances.h"
 
-#include <algorithm>
-#include <thread>
+#include <omp.h>
 
 namespace fpm {
 
@@ -22,8 +22,8 @@ bool cpuHas(const std::string& simd)
 int threadCount(const Control& control)
 {
     if (control.backend != "openmp") return 1;
-    const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-    return control.threads > 0 ? control.threads : cores;
+    if (control.threads > 0) return control.threads;
+    return followsIdleCores(control) ? int(ownCores().size()) : omp_get_max_threads();
 }
 
 std::unique_ptr<Solver> makeSolver(const Model& model, bool audit)

@@ -1,8 +1,11 @@
 """Scenes with contact, from the tutorials, meshed here or before (`--cases`)."""
 
+import contextlib
 import pathlib
 import re
 import shutil
+import subprocess
+import sys
 
 from benches.results import Row
 from driver.caseRun import CaseRun, Failed
@@ -55,12 +58,14 @@ def layers(options, count):
 
 
 class Variant:
-    """One way to run a scene: machine, precision, algorithm; changes of its dictionaries."""
+    """One way to run a scene: machine, precision, algorithm; changes of its dictionaries and of the
+    environment."""
 
     def __init__(self, backend, threads, simd, precision, algorithm="default", edits=(),
-                 contact=True):
+                 contact=True, environment=None):
         self.backend, self.threads, self.simd, self.precision = backend, threads, simd, precision
         self.algorithm, self.edits, self.contact = algorithm, edits, contact
+        self.environment = environment or {}
 
     def start(self, scene, steps):
         """Runs the scene and returns performance.json; the dictionaries are put back."""
@@ -84,7 +89,9 @@ class Variant:
                 options += ["-threads", str(self.threads)]
             if steps:
                 options += ["-maxSteps", str(steps)]
-            scene.run("fpmExplicit", *options)
+            done = scene.start("fpmExplicit", *options, **self.environment)
+            if done.returncode != 0:
+                raise Failed(f"fpmExplicit: status {done.returncode}\n{done.stdout}")
             return scene.performance()
         finally:
             for file, text in files.items():
@@ -171,6 +178,38 @@ def ladder(machine, options):
         rungs += [Variant("cuda", 0, "", "double", name, edits) for name, edits in steps]
         rungs.append(Variant("cuda", 0, "", "mixed", "+ mixed precision"))
     return rungs
+
+
+@contextlib.contextmanager
+def busyPrograms(count):
+    """So many programs that do nothing but compute, for a while."""
+    programs = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
+    try:
+        yield
+    finally:
+        for program in programs:
+            program.kill()
+            program.wait()
+
+
+def busy(machine, options, notes):
+    """Rows of the plate beside none, one and as many busy programs as there are cores, and the
+    times of every way over that of one thread."""
+    variants = [Variant("serial", 1, "auto", "double"),
+                Variant("openmp", 0, "auto", "double"),
+                Variant("openmp", machine.cores, "auto", "double"),
+                Variant("openmp", machine.cores, "auto", "double", "spinning",
+                        environment={"OMP_WAIT_POLICY": "active"})]
+    rows = []
+    with plate(options) as scene:
+        for count in sorted({0, 1, machine.cores}):
+            scene.name = f"plate.busy{count}"
+            with busyPrograms(count):
+                found = measure(scene, variants, options.repeats, options.sceneSteps or 400, notes)
+            notes.append(f"{scene.name}: over one thread " + ", ".join(
+                f"{row.way()} {row.algorithm} {row.wall / found[0].wall:.2f}" for row in found[1:]))
+            rows += found
+    return rows
 
 
 def prepared(options):

@@ -63,6 +63,20 @@ TEST(CpuExecutor, GivesEachBlockScratchOfItsOwn)
     }
 }
 
+TEST(CpuExecutor, SharesTheBlocksAmongTheThreadsItIsToUse)
+{
+    Four executor(3, 100 * sizeof(double));
+    for (const auto& [asked, used] : {std::pair{2, 2}, {1, 1}, {8, 3}, {0, 1}}) {
+        executor.useThreads(asked);
+        EXPECT_EQ(executor.threads(), used);
+        EXPECT_EQ(executor.firstBlock(used, 50), 50);
+        std::vector<double> out(50, 0);
+        executor.parallelBlocks(50, 100 * sizeof(double), BlockWork{out.data()});
+        for (std::size_t block = 0; block < 50; ++block)
+            EXPECT_EQ(out[block], 100.0 * 100.0 * double(block) + 4950);
+    }
+}
+
 TEST(CpuExecutor, IntegerSumsOfManyThreadsHaveNoOrder)
 {
     std::int64_t sum = 0;

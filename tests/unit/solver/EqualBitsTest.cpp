@@ -73,6 +73,21 @@ TEST_P(EqualBits, ThreadsDoNotChangeTheState)
             << threads << " threads";
 }
 
+TEST_P(EqualBits, AChangeOfThreadsOnTheWayDoesNotChangeTheState)
+{
+    Model model = impact(GetParam());
+    const std::uint64_t serial = checksumOf(model, "serial", 1, "auto", 150);
+    model.control.backend = "openmp";
+    model.control.threads = 3;
+    const auto solver = startedSolver(model);
+    for (const int threads : {1, 3, 2, 9, 1}) {
+        solver->useThreads(threads);
+        solver->advance(1, 30);
+        EXPECT_EQ(solver->times().threads, std::min(threads, 3));
+    }
+    EXPECT_EQ(solver->stateChecksum(), serial);
+}
+
 /// Nodes that are held or touch are none of those that patches move themselves.
 TEST_P(EqualBits, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
 {
