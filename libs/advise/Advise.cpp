@@ -75,7 +75,7 @@ std::optional<Results> findResults(Run& run, const Model& model)
                         "such as: -pilot 0.3; more than 0, at most 1");
         return pilotRun(run.theCase, model, *share, run.log);
     }
-    auto results = readResults(run.theCase.root(), model);
+    auto results = readResults(run.theCase.root(), model, run.log);
     if (!results)
         run.log.line("no results of this mesh: advice on rigid and elastic parts, friction and "
                      "damping needs -pilot or a finished run");

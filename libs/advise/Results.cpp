@@ -1,10 +1,10 @@
 #include "advise/Results.h"
 
 #include "advise/RigidFit.h"
+#include "application/RunResults.h"
 #include "base/Format.h"
 #include "dictionary/Number.h"
 #include "io/VtkHdf.h"
-#include "mesh/MeshFile.h"
 #include "mesh/Quality.h"
 #include "mesh/Vector.h"
 #include "model/NodeSelection.h"
@@ -135,28 +135,44 @@ std::optional<double> frictionWorkOf(const std::string& text, const std::string&
         std::string_view(text).substr(begin, text.find_first_of(",\n", begin) - begin));
 }
 
+/// The text of performance.json; empty where it is of another run.
+std::string performanceOf(const std::filesystem::path& caseRoot, const std::string& runId, Log& log)
+{
+    const auto file = caseRoot / "postProcessing/performance/0/performance.json";
+    std::ifstream stream(file);
+    std::ostringstream content;
+    if (stream) content << stream.rdbuf();
+    const std::string text = content.str(), key = "\"runId\": \"";
+    const auto at = text.find(key);
+    if (at == text.npos || text.compare(at + key.size(), runId.size() + 1, runId + "\"") == 0)
+        return text;
+    log.warning(format("left out: {} is of another run", file.string()));
+    return "";
+}
+
 } // namespace
 
-std::optional<Results> readResults(const std::filesystem::path& caseRoot, const Model& model)
+std::optional<Results>
+readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log)
 {
-    const std::string mesh = meshChecksum(model.mesh);
+    const RunResults found(caseRoot);
+    found.report(log);
     ResultReader reader(model);
-    for (const auto& [folder, time] : frameTimes(caseRoot)) {
-        const Frame frame = readFrame(caseRoot / folder / "fields.vtkhdf");
-        if (frame.meshChecksum != mesh) return {};
-        reader.add(frame, time);
-    }
+    for (const auto& [folder, time] : found.frames())
+        reader.add(readFrame(caseRoot / folder / "fields.vtkhdf"), time);
     Results results = reader.take();
     if (results.frames < 2) return {};
-    std::ifstream stream(caseRoot / "postProcessing/performance/0/performance.json");
-    std::ostringstream performance;
-    if (stream) performance << stream.rdbuf();
+    const std::string performance = performanceOf(caseRoot, found.runId(), log);
     for (const ContactPair& pair : model.contactPairs)
-        results.frictionWork.push_back(frictionWorkOf(performance.str(), pair.name));
+        results.frictionWork.push_back(frictionWorkOf(performance, pair.name));
     for (const History& history : model.control.histories) {
         const auto file = caseRoot / "postProcessing" / history.name / "0/energies.dat";
-        if (history.kind == History::Kind::energies && std::filesystem::exists(file))
-            results.energies = readTable(file);
+        if (history.kind != History::Kind::energies || !std::filesystem::exists(file)) continue;
+        Table energies = readTable(file);
+        if (otherRunOf(energies, found.runId()).empty())
+            results.energies = std::move(energies);
+        else
+            log.warning(format("left out: {} is of another run", file.string()));
     }
     return results;
 }

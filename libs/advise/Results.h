@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Log.h"
 #include "io/Table.h"
 #include "model/Model.h"
 
@@ -29,8 +30,10 @@ struct Results {
     std::vector<std::optional<double>> frictionWork;
 };
 
-/// Nothing where the case has fewer than two frames of the model's mesh.
-std::optional<Results> readResults(const std::filesystem::path& caseRoot, const Model& model);
+/// Of the run that `status` names; the log tells what is left out. Nothing where that run has fewer
+/// than two frames of the present mesh.
+std::optional<Results>
+readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log);
 
 /// Largest value of a column of the energies.
 double largest(const Table& table, const std::string& column);

@@ -157,7 +157,7 @@ Results pilotRun(const Case& theCase, const Model& model, double share, Log& log
     log.line(format("pilot run up to {}, {} % of the whole", end, toText(100 * share, 3)));
     const RunRow row = runWhole(pilot.root(), "the pilot run");
     log.line(format("pilot: {} steps, {} s", toText(row.steps, 6), toText(row.wall, 3)));
-    const auto results = readResults(pilot.root(), readModel(pilot, quiet));
+    const auto results = readResults(pilot.root(), readModel(pilot, quiet), quiet);
     if (!results) throw Error(ExitCode::internal, "the pilot run left no frames");
     return *results;
 }

@@ -4,6 +4,7 @@
 #include "application/CommandLine.h"
 #include "application/Confinement.h"
 #include "application/Machine.h"
+#include "application/PreviousRun.h"
 #include "base/Format.h"
 #include "io/AtomicFile.h"
 
@@ -182,7 +183,10 @@ int runApplication(const ApplicationInfo& info,
 
         const bool caseless = !info.caseless.empty() && isGiven(options, info.caseless);
         const Case theCase = caseless ? Case::none() : Case(valueOr(options, "case", "."));
-        if (info.locksCase && !caseless) lock.emplace(theCase.root(), info.name);
+        if (info.locksCase && !caseless) {
+            lock.emplace(theCase.root(), info.name);
+            sweepTemporaries(theCase.root());
+        }
         if (!isGiven(options, "dict") && !info.dictionary.empty())
             options.emplace_back("dict", info.dictionary);
         run.emplace(theCase, isGiven(options, "noLog") || caseless ? Log() : openLog(theCase, info),

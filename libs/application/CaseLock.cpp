@@ -17,6 +17,8 @@ namespace fpm {
 
 namespace {
 
+constexpr const char* nobodyKnown = "another process";
+
 /// What the holder wrote about itself; a stranger's file is not printed as it is.
 std::string holder(int descriptor)
 {
@@ -26,7 +28,7 @@ std::string holder(int descriptor)
     text.resize(std::min(text.find('\n'), text.size()));
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text.empty() ? "another process" : text;
+    return text.empty() ? nobodyKnown : text;
 }
 
 /// 0, or the error. Locks belong to the open file (not the process) where the system knows such.
@@ -40,6 +42,24 @@ int lockWhole(int descriptor)
     return flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
 }
 
+/// Whether somebody holds the lock: asks without taking it, where the system can.
+bool isLocked(int descriptor)
+{
+    struct flock whole {};
+    whole.l_type = F_RDLCK;
+    whole.l_whence = SEEK_SET;
+    if (fcntl(descriptor, F_OFD_GETLK, &whole) == 0) return whole.l_type != F_UNLCK;
+    if (errno != EINVAL) return true;
+    if (flock(descriptor, LOCK_SH | LOCK_NB) != 0) return true;
+    flock(descriptor, LOCK_UN);
+    return false;
+}
+
+std::string nameOfHolder(int process, const std::string& host)
+{
+    return format("process {} on {}", process, host);
+}
+
 /// A link would have us write elsewhere.
 bool isOwnFile(int descriptor)
 {
@@ -49,8 +69,8 @@ bool isOwnFile(int descriptor)
 
 void describeHolder(int descriptor, const std::string& application)
 {
-    const auto text = format("{}, process {} on {}, since {}\n", application, processNumber(),
-                             hostName(), utcDate());
+    const auto text = format("{}, {}, since {}\n", application,
+                             nameOfHolder(processNumber(), hostName()), utcDate());
     // The lock holds without this text, so a full disk is no reason to stop.
     if (ftruncate(descriptor, 0) != 0) return;
     [[maybe_unused]] const auto written = pwrite(descriptor, text.data(), text.size(), 0);
@@ -88,6 +108,18 @@ CaseLock::CaseLock(const std::filesystem::path& caseRoot, const std::string& app
 CaseLock::~CaseLock()
 {
     close(descriptor_);
+}
+
+bool holdsCase(const std::filesystem::path& caseRoot, int process, const std::string& host)
+{
+    const int descriptor =
+        open((caseRoot / ".lock").c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) return errno != ENOENT && errno != ELOOP;
+    const bool locked = isLocked(descriptor);
+    const std::string name = holder(descriptor);
+    close(descriptor);
+    return locked
+           && (name == nobodyKnown || name.find(nameOfHolder(process, host) + ",") != name.npos);
 }
 
 } // namespace fpm

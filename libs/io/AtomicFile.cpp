@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -93,9 +95,9 @@ void synchroniseFolder(const std::filesystem::path& folder)
     if (const int code = directory.close()) fail("close the folder", folder, code);
 }
 
-} // namespace
+enum class Waits { yes, no };
 
-void writeFileAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes)
+void write(const std::filesystem::path& file, std::span<const std::byte> bytes, Waits waits)
 {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code error;
@@ -111,16 +113,56 @@ void writeFileAtomically(const std::filesystem::path& file, std::span<const std:
     Temporary temporary{path};
     reserve(out, bytes.size(), file);
     writeAll(out, bytes, file);
-    synchronise(out, file);
+    if (waits == Waits::yes) synchronise(out, file);
     if (const int code = out.close()) fail("close", file, code);
     if (::rename(path.c_str(), file.c_str()) != 0) fail("replace", file, errno);
     temporary.renamed = true;
-    synchroniseFolder(folder);
+    if (waits == Waits::yes) synchroniseFolder(folder);
+}
+
+/// The process in the name of a temporary file, ".<file>.<process>.tmp"; 0 for any other name.
+pid_t writerOf(std::string_view name)
+{
+    constexpr std::string_view ending = ".tmp";
+    if (!name.starts_with('.') || !name.ends_with(ending)) return 0;
+    name.remove_suffix(ending.size());
+    const auto dot = name.rfind('.');
+    if (dot < 2) return 0;
+    pid_t process = 0;
+    const auto [end, error] =
+        std::from_chars(name.data() + dot + 1, name.data() + name.size(), process);
+    return error == std::errc() && end == name.data() + name.size() ? process : 0;
+}
+
+} // namespace
+
+void writeFileAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes)
+{
+    write(file, bytes, Waits::yes);
 }
 
 void writeFileAtomically(const std::filesystem::path& file, std::string_view text)
 {
     writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
+void renewFile(const std::filesystem::path& file, std::string_view text)
+{
+    write(file, std::as_bytes(std::span(text)), Waits::no);
+}
+
+int removeTemporaries(const std::filesystem::path& folder, bool deadOnly)
+{
+    int count = 0;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const pid_t process = writerOf(entry.path().filename().string());
+        if (process <= 0 || !entry.is_regular_file(error) || entry.is_symlink(error)) continue;
+        const bool isAlive = process != ::getpid() && (::kill(process, 0) == 0 || errno != ESRCH);
+        if (deadOnly && isAlive) continue;
+        count += std::filesystem::remove(entry.path(), error);
+    }
+    return count;
 }
 
 } // namespace fpm

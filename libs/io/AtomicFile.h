@@ -12,5 +12,13 @@ namespace fpm {
 /// folders.
 void writeFileAtomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& file, std::string_view text);
+/// The same without waiting for the disk, for what is written every second: after a loss of power
+/// the file may be empty.
+void renewFile(const std::filesystem::path& file, std::string_view text);
+
+/// Removes from a folder the temporary files that killed writers left; of `deadOnly`, those whose
+/// process is gone from this machine. The caller knows that no other writer works there. Returns
+/// how many.
+int removeTemporaries(const std::filesystem::path& folder, bool deadOnly);
 
 } // namespace fpm

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,16 +38,17 @@ public:
     /// External link: `path` here shows `target` of the file at relative path `file`.
     void link(const std::string& path, const std::string& file, const std::string& target);
 
-    void save(const std::filesystem::path& file) const;
+    /// `label`: up to 255 bytes that can be read without opening the file.
+    void save(const std::filesystem::path& file, const std::string& label = "") const;
 
 private:
     struct Content;
     std::unique_ptr<Content> content_;
 };
 
-/// Whether `file` is a regular file that ends as Hdf5Image::save left it; the rest is not looked
-/// at.
-bool isCompleteHdf5(const std::filesystem::path& file);
+/// The label of a regular file that ends as Hdf5Image::save left it, "" where it has none; nothing
+/// for any other. The rest of the file is not read.
+std::optional<std::string> hdf5Label(const std::filesystem::path& file);
 
 /// Reads files of Hdf5Image without trust: the checksum over the whole file is compared before HDF5
 /// sees it; then hard links and unfiltered arrays of fixed-size numbers only, and sizes are
@@ -60,6 +62,7 @@ public:
     Hdf5Reader(Hdf5Reader&&) noexcept;
 
     bool has(const std::string& path) const;
+    bool hasAttribute(const std::string& group, const std::string& name) const;
     std::vector<std::string> children(const std::string& group) const; ///< sorted
     std::size_t columns(const std::string& path) const;                ///< 1 for a plain vector
     std::vector<double> doubles(const std::string& path) const;        ///< float32 is widened

@@ -189,16 +189,17 @@ void Hdf5Image::link(const std::string& path, const std::string& file, const std
             path);
 }
 
-void Hdf5Image::save(const std::filesystem::path& file) const
+void Hdf5Image::save(const std::filesystem::path& file, const std::string& label) const
 {
     written(H5Fflush(content_->file, H5F_SCOPE_LOCAL), file.string());
     const auto size = written(H5Fget_file_image(content_->file, nullptr, 0), file.string());
-    std::vector<std::byte> bytes(std::size_t(size) + sizeof(Seal));
+    std::vector<std::byte> bytes(std::size_t(size) + label.size() + sizeof(Seal));
     const auto image = std::span(bytes).first(std::size_t(size));
     written(H5Fget_file_image(content_->file, image.data(), image.size()), file.string());
+    std::ranges::copy(std::as_bytes(std::span(label)), bytes.begin() + size);
     Checksum checksum;
-    checksum.add(image);
-    std::ranges::copy(makeSeal(checksum.value()), bytes.begin() + size);
+    checksum.add(std::span(bytes).first(image.size() + label.size()));
+    std::ranges::copy(makeSeal(checksum.value(), label.size()), bytes.end() - sizeof(Seal));
     writeFileAtomically(file, bytes);
 }
 

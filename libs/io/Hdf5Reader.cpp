@@ -164,6 +164,12 @@ bool Hdf5Reader::has(const std::string& path) const
     return isHard(content_->file, path);
 }
 
+bool Hdf5Reader::hasAttribute(const std::string& group, const std::string& name) const
+{
+    return isHard(content_->file, group)
+           && H5Aexists_by_name(content_->file, group.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<std::string> Hdf5Reader::children(const std::string& group) const
 {
     requireHard(*content_, group);

@@ -11,13 +11,17 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 namespace fpm {
 namespace {
 
-constexpr std::array<char, 8> mark{'f', 'p', 'm', 's', 'u', 'm', '1', '\n'};
+constexpr std::array<char, 8> plainMark{'f', 'p', 'm', 's', 'u', 'm', '1', '\n'};
+/// With a label the last byte is its length.
+constexpr std::array<char, 7> labelMark{'f', 'p', 'm', 's', 'u', 'm', '2'};
 
 /// A regular file opened for reading. Never blocks on a pipe.
 class InputFile
@@ -57,10 +61,16 @@ public:
         return true;
     }
 
-    bool readSeal(hdf5::Seal& seal) const
+    /// Length of the label before the seal; nothing where there is no seal.
+    std::optional<std::size_t> readSeal(hdf5::Seal& seal) const
     {
-        return fault_.empty() && size_ >= seal.size() && read(size_ - seal.size(), seal)
-               && std::memcmp(seal.data(), mark.data(), mark.size()) == 0;
+        if (!fault_.empty() || size_ < seal.size() || !read(size_ - seal.size(), seal))
+            return std::nullopt;
+        if (std::memcmp(seal.data(), plainMark.data(), plainMark.size()) == 0) return 0;
+        if (std::memcmp(seal.data(), labelMark.data(), labelMark.size()) != 0) return std::nullopt;
+        const auto length = std::to_integer<std::size_t>(seal[labelMark.size()]);
+        if (size_ < seal.size() + length) return std::nullopt;
+        return length;
     }
 
 private:
@@ -73,11 +83,17 @@ private:
 
 namespace hdf5 {
 
-Seal makeSeal(std::uint64_t checksum)
+Seal makeSeal(std::uint64_t checksum, std::size_t labelLength)
 {
+    if (labelLength > std::numeric_limits<std::uint8_t>::max())
+        throw Error(ExitCode::internal, "the label of a file is too long");
     Seal seal;
-    std::memcpy(seal.data(), mark.data(), mark.size());
-    std::memcpy(seal.data() + mark.size(), &checksum, sizeof checksum);
+    std::memcpy(seal.data(), plainMark.data(), plainMark.size());
+    if (labelLength > 0) {
+        std::memcpy(seal.data(), labelMark.data(), labelMark.size());
+        seal[labelMark.size()] = std::byte(labelLength);
+    }
+    std::memcpy(seal.data() + plainMark.size(), &checksum, sizeof checksum);
     return seal;
 }
 
@@ -86,7 +102,8 @@ std::uint64_t verifySeal(const std::filesystem::path& file)
     const InputFile input(file);
     if (!input.fault().empty()) refuse(file, input.fault());
     Seal seal;
-    if (!input.readSeal(seal)) refuse(file, "it does not end as a complete file of ours does");
+    const auto labelLength = input.readSeal(seal);
+    if (!labelLength) refuse(file, "it does not end as a complete file of ours does");
     constexpr std::uint64_t blockSize = 1 << 20;
     const std::uint64_t end = input.size() - seal.size();
     std::vector<std::byte> buffer(std::size_t(std::min(blockSize, end)));
@@ -96,7 +113,7 @@ std::uint64_t verifySeal(const std::filesystem::path& file)
         if (!input.read(offset, block)) refuse(file, "read error");
         checksum.add(block);
     }
-    if (makeSeal(checksum.value()) != seal)
+    if (makeSeal(checksum.value(), *labelLength) != seal)
         refuse(file, "it is damaged: its checksum does not match");
     return input.size();
 }
@@ -110,10 +127,16 @@ void refuse(const std::filesystem::path& file, const std::string& reason)
 
 } // namespace hdf5
 
-bool isCompleteHdf5(const std::filesystem::path& file)
+std::optional<std::string> hdf5Label(const std::filesystem::path& file)
 {
+    const InputFile input(file);
     hdf5::Seal seal;
-    return InputFile(file).readSeal(seal);
+    const auto length = input.readSeal(seal);
+    if (!length) return std::nullopt;
+    std::string label(*length, '\0');
+    if (!input.read(input.size() - seal.size() - *length, std::as_writable_bytes(std::span(label))))
+        return std::nullopt;
+    return label;
 }
 
 } // namespace fpm

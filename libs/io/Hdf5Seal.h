@@ -6,14 +6,16 @@
 #include <filesystem>
 #include <string>
 
-/// The last 16 bytes of every HDF5 file of ours: a mark and the checksum of all bytes before it.
+/// The last 16 bytes of every HDF5 file of ours: a mark, with the length of a label before it, and
+/// the checksum of all bytes before the seal.
 /// HDF5 ignores what follows the end it wrote into its header, so other programs see a plain file;
 /// ours find a damaged one before HDF5, which is not built for hostile bytes, looks at it.
 namespace fpm::hdf5 {
 
 using Seal = std::array<std::byte, 16>;
 
-Seal makeSeal(std::uint64_t checksum);
+/// Throws Error(internal) for a label of more than 255 bytes.
+Seal makeSeal(std::uint64_t checksum, std::size_t labelLength = 0);
 /// Compares the seal of a file with the bytes before it; returns the size of the file in bytes.
 /// Throws Error(mesh) for what is no regular file, not complete or damaged.
 std::uint64_t verifySeal(const std::filesystem::path& file);

@@ -71,7 +71,7 @@ public:
         line = trimmed(line);
         if (line.empty()) return;
         if (line.front() == '#') {
-            if (table_.columns.empty()) comment_ = trimmed(line.substr(1));
+            if (table_.columns.empty()) comments_.emplace_back(trimmed(line.substr(1)));
             return;
         }
         const auto texts = cells(line, csv_);
@@ -81,7 +81,7 @@ public:
 
     Table finish()
     {
-        if (table_.columns.empty()) nameColumns(cells(comment_, csv_));
+        if (table_.columns.empty()) nameColumnsByComment();
         return std::move(table_);
     }
 
@@ -91,13 +91,21 @@ private:
         for (const auto name : names)
             if (!name.empty()) table_.columns.emplace_back(name);
         if (table_.columns.empty()) fail("no line names the columns");
+        table_.notes = comments_;
+    }
+
+    void nameColumnsByComment()
+    {
+        const std::string names = comments_.empty() ? "" : comments_.back();
+        if (!comments_.empty()) comments_.pop_back();
+        nameColumns(cells(names, csv_));
     }
 
     /// The line before the first row names the columns, with or without '#'.
     bool takeHeader(const std::vector<std::string_view>& texts)
     {
         if (number(texts.front())) {
-            nameColumns(cells(comment_, csv_));
+            nameColumnsByComment();
             return false;
         }
         nameColumns(texts);
@@ -131,13 +139,16 @@ private:
     std::filesystem::path file_;
     bool csv_, lastIsWhole_;
     int lineNumber_ = 0;
-    std::string comment_;
+    std::vector<std::string> comments_; ///< before the first row
     Table table_;
 };
 
-std::string header(const std::vector<std::string>& columns, bool csv)
+std::string
+header(const std::vector<std::string>& columns, const std::vector<std::string>& notes, bool csv)
 {
-    std::string text = csv ? "" : "# ";
+    std::string text;
+    for (const auto& note : notes) text += "# " + note + "\n";
+    text += csv ? "" : "# ";
     for (std::size_t column = 0; column < columns.size(); ++column)
         text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
     return text + "\n";
@@ -194,19 +205,21 @@ Table readTable(const std::filesystem::path& file)
 void writeTable(const std::filesystem::path& file, const Table& table)
 {
     const bool csv = isCsv(file);
-    std::string text = header(table.columns, csv);
+    std::string text = header(table.columns, table.notes, csv);
     for (const auto& row : table.rows) text += rowText(row, csv ? ',' : ' ');
     writeFileAtomically(file, text);
 }
 
-HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<std::string>& columns)
+HistoryFile::HistoryFile(const std::filesystem::path& file,
+                         const std::vector<std::string>& columns,
+                         const std::vector<std::string>& notes)
     : file_(file),
       columnCount_(columns.size())
 {
     std::error_code error;
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
     stream_.open(file, std::ios::binary | std::ios::trunc);
-    write(header(columns, isCsv(file)));
+    write(header(columns, notes, isCsv(file)));
 }
 
 void HistoryFile::append(std::initializer_list<double> values)

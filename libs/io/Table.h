@@ -7,10 +7,12 @@
 
 namespace fpm {
 
-/// A .dat or .csv table: a header naming the columns (after '#' in .dat), then rows of numbers.
+/// A .dat or .csv table: notes after '#', a line naming the columns (after '#' in .dat), then rows
+/// of numbers.
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows;
+    std::vector<std::string> notes = {}; ///< lines above the names of the columns, without '#'
 
     /// Index of a column; throws Error(dictionary) listing the columns there are.
     std::size_t column(const std::string& name) const;
@@ -24,12 +26,15 @@ Table readTable(const std::filesystem::path& file);
 /// Whole table at once, complete or absent.
 void writeTable(const std::filesystem::path& file, const Table& table);
 
-/// A history that grows by one line a sample: "# time ux uy uz" then shortest round-trip numbers.
+/// A history that grows by one line a sample: notes, "# time ux uy uz", then shortest round-trip
+/// numbers.
 /// Each line is flushed, so that it can be plotted while the run goes on. Throws Error(fileIo).
 class HistoryFile
 {
 public:
-    HistoryFile(const std::filesystem::path& file, const std::vector<std::string>& columns);
+    HistoryFile(const std::filesystem::path& file,
+                const std::vector<std::string>& columns,
+                const std::vector<std::string>& notes = {});
     void append(std::initializer_list<double> values);
     void append(const std::vector<double>& values);
 

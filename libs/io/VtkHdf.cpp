@@ -2,6 +2,8 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "io/FrameLabel.h"
+#include "io/Frames.h"
 
 #include <algorithm>
 #include <limits>
@@ -83,14 +85,6 @@ std::size_t readCount(const Hdf5Reader& reader, const std::string& name)
     return std::size_t(counts.front());
 }
 
-/// Checksum of the mesh the frame belongs to; empty where the case has no mesh file yet.
-std::string checksumOfMesh(const std::filesystem::path& caseRoot)
-{
-    const auto file = caseRoot / "constant" / "mesh.vtkhdf";
-    if (!std::filesystem::exists(file)) return "";
-    return Hdf5Reader(file).text("/fpm", "meshChecksum");
-}
-
 } // namespace
 
 void writeGrid(Hdf5Image& image,
@@ -129,10 +123,13 @@ void writeFrame(const std::filesystem::path& caseRoot,
     image.attribute("/fpm", "nodeCount", std::array<std::int64_t, 1>{std::int64_t(nodeCount)});
     image.attribute("/fpm", "elementCount",
                     std::array<std::int64_t, 1>{std::int64_t(elementCount)});
-    image.attribute("/fpm", "meshChecksum",
-                    frame.meshChecksum.empty() ? checksumOfMesh(caseRoot) : frame.meshChecksum);
-    image.save(caseRoot / timeName / "fields.vtkhdf");
-    writeSeries(caseRoot);
+    const std::string file = timeName + "/fields.vtkhdf";
+    const FrameLabel label{RunMark{frame.runId, file}, frame.meshChecksum.empty()
+                                                           ? meshChecksumOf(caseRoot)
+                                                           : frame.meshChecksum};
+    image.attribute("/fpm", "meshChecksum", label.mesh);
+    image.attribute("/fpm", "runId", frame.runId);
+    image.save(caseRoot / file, label.text());
 }
 
 Frame readFrame(const std::filesystem::path& file)
@@ -141,6 +138,7 @@ Frame readFrame(const std::filesystem::path& file)
     Frame frame;
     frame.time = reader.number("/fpm", "TimeValue");
     frame.meshChecksum = reader.text("/fpm", "meshChecksum");
+    if (reader.hasAttribute("/fpm", "runId")) frame.runId = reader.text("/fpm", "runId");
     frame.nodeFields = readFields(reader, "/VTKHDF/PointData", readCount(reader, "nodeCount"));
     frame.elementFields = readFields(reader, "/VTKHDF/CellData", readCount(reader, "elementCount"));
     return frame;

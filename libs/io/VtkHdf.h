@@ -22,7 +22,8 @@ struct Frame {
     double time = 0;
     std::vector<ResultField> nodeFields, elementFields;
     std::string meshChecksum =
-        {}; ///< of the mesh; when empty, writeFrame takes it from the mesh file
+        {};                 ///< of the mesh; when empty, writeFrame takes it from the mesh file
+    std::string runId = {}; ///< of the run that writes it
 };
 
 /// Adds a static VTKHDF UnstructuredGrid (Version 1 0) of hexahedra under /VTKHDF.
@@ -30,8 +31,7 @@ void writeGrid(Hdf5Image& image,
                std::span<const Point> points,
                std::span<const std::array<Index, 8>> hexahedra);
 
-/// <case>/<time>/fields.vtkhdf, linked to ../constant/mesh.vtkhdf, then case.vtkhdf.series and
-/// case.hdf.series (list of committed times, JSON); `timeName` is the folder.
+/// <case>/<time>/fields.vtkhdf, linked to ../constant/mesh.vtkhdf; `timeName` is the folder.
 void writeFrame(const std::filesystem::path& caseRoot,
                 const std::string& timeName,
                 const Frame& frame,
@@ -40,13 +40,5 @@ void writeFrame(const std::filesystem::path& caseRoot,
 /// Fields in alphabetical order. Takes nothing but the fields from the file: links to the mesh are
 /// not followed. Throws Error(mesh) for a damaged file.
 Frame readFrame(const std::filesystem::path& file);
-
-/// Output times of a case in ascending order: folder name and value; only complete frames.
-std::vector<std::pair<std::string, double>> frameTimes(const std::filesystem::path& caseRoot);
-/// Rewrites case.vtkhdf.series and case.hdf.series from what lies in the time folders.
-void writeSeries(const std::filesystem::path& caseRoot);
-/// Folder name of a time, as printf %.12g ("0", "0.00015", "5e-05"): free of rounding noise, and
-/// unique while output times are more than 1e-12 of their value apart.
-std::string timeName(double time);
 
 } // namespace fpm

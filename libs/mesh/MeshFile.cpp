@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "io/Checksum.h"
+#include "io/FrameLabel.h"
 #include "io/Hdf5File.h"
 #include "io/VtkHdf.h"
 #include "mesh/Patches.h"
@@ -86,7 +87,8 @@ void writeMesh(const std::filesystem::path& file, const Mesh& mesh)
     image.write("/VTKHDF/CellData/Part", std::span<const Index>(partOfElements(mesh)));
     image.write("/VTKHDF/CellData/Patch", std::span<const Index>(patchOfElements(mesh)));
     image.attribute("/fpm", "version", std::array<std::int64_t, 1>{formatVersion});
-    image.attribute("/fpm", "meshChecksum", meshChecksum(mesh));
+    const FrameLabel label{std::nullopt, meshChecksum(mesh)};
+    image.attribute("/fpm", "meshChecksum", label.mesh);
     image.write("/fpm/patchStarts", std::span<const Index>(mesh.patchStarts));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
         const auto& [name, first, count] = mesh.parts[part];
@@ -97,7 +99,7 @@ void writeMesh(const std::filesystem::path& file, const Mesh& mesh)
     for (const auto& [name, sides] : mesh.sideSets)
         image.write("/fpm/sideSets/" + name, flat(sides), 2);
     writeContact(image, mesh);
-    image.save(file);
+    image.save(file, label.text());
 }
 
 } // namespace fpm

@@ -155,6 +155,7 @@ Control readControl(const Dictionary& dictionary, Log& log)
         dictionary.choiceOr("algorithm", "default", {"default", "paper"}) == "paper";
     control.midStepStrain =
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
+    control.previousRun = dictionary.choiceOr("previousRun", "keep", {"keep", "remove", "refuse"});
     return control;
 }
 

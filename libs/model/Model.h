@@ -150,8 +150,9 @@ struct Control {
     std::string simd = "auto";      ///< auto scalar avx2 avx512
     Precision precision = Precision::double_;
     Assembly assembly = Assembly::patch;
-    bool paperAlgorithm = false; ///< that of the paper as a whole, for comparison
-    bool midStepStrain = true;   ///< strain at mid-step geometry; false: at its start (paper)
+    bool paperAlgorithm = false;      ///< that of the paper as a whole, for comparison
+    bool midStepStrain = true;        ///< strain at mid-step geometry; false: at its start (paper)
+    std::string previousRun = "keep"; ///< what an earlier run left: keep remove refuse
     std::vector<History> histories;
 };
 

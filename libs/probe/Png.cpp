@@ -112,6 +112,17 @@ std::vector<std::uint8_t> encodePng(const Image& image)
     return file;
 }
 
+void addComment(std::vector<std::uint8_t>& png, std::string_view text)
+{
+    constexpr std::string_view keyword("Comment\0", 8);
+    constexpr std::ptrdiff_t headerEnd = 8 + 12 + 13; // signature, chunk IHDR
+    Bytes content(keyword.begin(), keyword.end()), chunk;
+    content.insert(content.end(), text.begin(), text.end());
+    content.push_back('\n'); // or the checksum behind it would seem to go on with the text
+    putChunk(chunk, "tEXt", content);
+    png.insert(png.begin() + headerEnd, chunk.begin(), chunk.end());
+}
+
 std::string base64(std::span<const std::uint8_t> bytes)
 {
     static constexpr std::string_view digits =

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fpm {
@@ -17,6 +18,8 @@ struct Image {
 
 /// A PNG file (ISO/IEC 15948): 8-bit RGB, best of the five row filters, own deflate.
 std::vector<std::uint8_t> encodePng(const Image& image);
+/// Adds a comment (chunk tEXt, Latin-1) behind the header of a PNG file.
+void addComment(std::vector<std::uint8_t>& png, std::string_view text);
 /// RFC 4648, for data URIs.
 std::string base64(std::span<const std::uint8_t> bytes);
 

@@ -1,10 +1,15 @@
 #include "probe/Probe.h"
 
+#include "application/RunResults.h"
 #include "base/Error.h"
 #include "base/Format.h"
 #include "io/AtomicFile.h"
+#include "io/RunMark.h"
+#include "io/VtkHdf.h"
 #include "mesh/MeshFile.h"
+#include "probe/Png.h"
 #include "probe/ProbeDict.h"
+#include "probe/Svg.h"
 
 #include <optional>
 #include <span>
@@ -33,8 +38,10 @@ public:
           probes_(probes),
           selected_(times),
           log_(log),
-          all_(frameTimes(theCase.root()))
+          results_(theCase.root()),
+          all_(results_.frames())
     {
+        results_.report(log);
     }
 
     void makeTables();
@@ -49,15 +56,18 @@ private:
     void makePicture(const PictureSpec& spec);
     std::string missingFiles(const PlotSpec& spec) const;
     void makePlot(const PlotSpec& spec);
-    template <class Content>
-    void write(const std::string& relative, const Content& content);
+    bool isOfThisRun(const Table& table, const PlotSpec& spec, const SeriesSpec& series);
+    std::string mark(const std::string& relative) const;
+    void write(const std::string& relative, std::string svg);
+    void write(const std::string& relative, std::vector<std::uint8_t> png);
     void report(const std::string& relative);
 
     const Case& case_;
     const ProbeDict& probes_;
     const TimeSelection& selected_;
     Log& log_;
-    std::vector<FrameTime> all_;
+    RunResults results_;
+    const std::vector<FrameTime>& all_;
     std::optional<Mesh> mesh_;
 };
 
@@ -94,13 +104,24 @@ void ProbeRun::report(const std::string& relative)
     log_.line("wrote " + relative);
 }
 
-template <class Content>
-void ProbeRun::write(const std::string& relative, const Content& content)
+/// What a file says of itself; empty where the results name no run.
+std::string ProbeRun::mark(const std::string& relative) const
 {
-    if constexpr (std::is_same_v<Content, std::string>)
-        writeFileAtomically(case_.path(relative), std::string_view(content));
-    else
-        writeFileAtomically(case_.path(relative), std::as_bytes(std::span(content)));
+    return results_.runId().empty() ? "" : RunMark{results_.runId(), relative}.text();
+}
+
+void ProbeRun::write(const std::string& relative, std::string svg)
+{
+    if (const std::string note = mark(relative); !note.empty())
+        svg = withNote(std::move(svg), note);
+    writeFileAtomically(case_.path(relative), std::string_view(svg));
+    report(relative);
+}
+
+void ProbeRun::write(const std::string& relative, std::vector<std::uint8_t> png)
+{
+    if (const std::string note = mark(relative); !note.empty()) addComment(png, note);
+    writeFileAtomically(case_.path(relative), std::as_bytes(std::span(png)));
     report(relative);
 }
 
@@ -125,7 +146,9 @@ void ProbeRun::makeTables()
             spec.kind == TableSpec::Kind::profile ? times.back() : times.front();
         const std::string relative =
             "postProcessing/" + spec.name + "/" + time.first + "/" + spec.field.field + ".dat";
-        writeTable(case_.path(relative), table.table());
+        Table content = table.table();
+        if (const std::string note = mark(relative); !note.empty()) content.notes = {note};
+        writeTable(case_.path(relative), content);
         report(relative);
     }
 }
@@ -174,11 +197,23 @@ std::string ProbeRun::missingFiles(const PlotSpec& spec) const
     return text;
 }
 
+/// Other runs may stand beside this one on purpose, from any other folder.
+bool ProbeRun::isOfThisRun(const Table& table, const PlotSpec& spec, const SeriesSpec& series)
+{
+    if (!series.file.starts_with("postProcessing/")) return true;
+    const std::string other = otherRunOf(table, results_.runId());
+    if (!other.empty())
+        log_.warning("plot '" + spec.name + "': '" + series.file + "' is of run " + other
+                     + ", not of this one: left out");
+    return other.empty();
+}
+
 void ProbeRun::makePlot(const PlotSpec& spec)
 {
     Plot plot{spec.title, spec.x, spec.y, {}};
     for (const SeriesSpec& from : spec.series) {
         const Table table = readTable(from.path);
+        if (!isOfThisRun(table, spec, from)) continue;
         PlotSeries series{from.label, table.values(from.xColumn), table.values(from.yColumn),
                           from.style};
         for (double& x : series.x) x = x * from.xScale + from.xOffset;
@@ -187,6 +222,7 @@ void ProbeRun::makePlot(const PlotSpec& spec)
             log_.line("plot '" + spec.name + "': '" + from.file + "' has no rows yet");
         plot.series.push_back(std::move(series));
     }
+    if (plot.series.empty()) return log_.line("plot '" + spec.name + "': no series: skipped");
     write("postProcessing/plots/" + spec.name + ".svg", svgPlot(plot));
 }
 

@@ -19,6 +19,12 @@ std::string svgNumber(double value)
     return text;
 }
 
+std::string withNote(std::string svg, std::string_view note)
+{
+    const std::size_t at = svg.find('>') + 1; // behind the opening tag
+    return svg.insert(at, "\n<metadata>" + escapeXml(note) + "</metadata>");
+}
+
 std::string escapeXml(std::string_view text)
 {
     std::string escaped;

@@ -25,6 +25,8 @@ struct SvgFont {
 /// At most two decimals, no trailing zeros, independent of the locale.
 std::string svgNumber(double value);
 /// & < > " as entities; control characters are dropped.
+/// Adds a note that is not shown, in front of what is drawn.
+std::string withNote(std::string svg, std::string_view note);
 std::string escapeXml(std::string_view text);
 /// "#rrggbb" darkened until a small text in it can be read on white.
 std::string readableColour(const std::string& colour);

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <string>
+#include "io/Frames.h"
+
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace fpm {
-
-using FrameTime = std::pair<std::string, double>; ///< folder of an output time, its value
 
 /// The value of option -time: numbers, ranges and the word latestTime.
 struct TimeSelection {

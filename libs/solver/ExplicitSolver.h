@@ -32,6 +32,10 @@ public:
     void start() override;
     void advance(double time, std::int64_t maxSteps) override;
     void useThreads(int threads) override;
+    void watch(std::function<void(const StepClock&)> observer) override
+    {
+        observer_ = std::move(observer);
+    }
     StepClock clock() const override { return state_.clock.toHost()[0]; }
     Energies energies() override;
     NodalWorks nodalWorks() override;
@@ -116,6 +120,7 @@ private:
     NearBlocks nearBlocks_;
     std::int64_t deletions_ = 0; ///< those that pressures and contact surfaces know
     Energies lost_;              ///< booked for contactors that are none any more
+    std::function<void(const StepClock&)> observer_;
 };
 
 template <class Precision, class Executor>
@@ -201,6 +206,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
         if (now.waits) searchByHost([&] { arrangeContact(false); });
         if (now.deletions != deletions_) followDeletions();
         deletions_ = now.deletions;
+        if (observer_) observer_(now);
     }
     if (now.time >= time) moveClock();
     times_.total += secondsSince(begin);

@@ -1,5 +1,6 @@
 #include "solver/Histories.h"
 
+#include "io/RunMark.h"
 #include "mesh/Vector.h"
 #include "solver/PenaltyData.h"
 
@@ -44,14 +45,19 @@ Condition driveOf(const History& history, const Model& model, std::vector<double
 
 } // namespace
 
-Histories::Histories(const std::filesystem::path& caseRoot, const Model& model) : model_(model)
+Histories::Histories(const std::filesystem::path& caseRoot,
+                     const Model& model,
+                     const std::string& runId)
+    : model_(model)
 {
     for (const History& history : model.control.histories) {
         Channel channel{&history, {}, {}, {}};
-        const auto folder = caseRoot / "postProcessing" / history.name / "0";
-        const auto add = [&](const std::string& file, const std::vector<std::string>& columns) {
-            channel.files.push_back(
-                std::make_unique<HistoryFile>(folder / (file + ".dat"), columns));
+        const std::string folder = "postProcessing/" + history.name + "/0/";
+        const auto add = [&](const std::string& name, const std::vector<std::string>& columns) {
+            const std::string file = folder + name + ".dat";
+            std::vector<std::string> notes;
+            if (!runId.empty()) notes.push_back(RunMark{runId, file}.text());
+            channel.files.push_back(std::make_unique<HistoryFile>(caseRoot / file, columns, notes));
         };
         switch (history.kind) {
         case History::Kind::energies:

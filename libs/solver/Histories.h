@@ -13,7 +13,10 @@ namespace fpm {
 class Histories
 {
 public:
-    Histories(const std::filesystem::path& caseRoot, const Model& model);
+    /// `runId` goes into the head of every file; none where it is empty.
+    Histories(const std::filesystem::path& caseRoot,
+              const Model& model,
+              const std::string& runId = "");
     /// Appends one row to every file; `energies` belong to the solver's present time.
     void sample(Solver& solver, const Energies& energies);
 

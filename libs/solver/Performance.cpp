@@ -181,7 +181,10 @@ std::string stepFigures(Solver& solver, const Model& model)
 }
 
 /// What scripts read of a run; null is what was not timed, or has no meaning.
-std::string performanceText(Solver& solver, const Model& model, const std::string& checksum)
+std::string performanceText(Solver& solver,
+                            const Model& model,
+                            const std::string& checksum,
+                            const std::string& runId)
 {
     const StepTimes& t = solver.times();
     const StepClock clock = solver.clock();
@@ -191,9 +194,10 @@ std::string performanceText(Solver& solver, const Model& model, const std::strin
     const auto over = [](double part, double whole, bool told, int digits) {
         return told && whole > 0 ? toText(part / whole, digits) : std::string("null");
     };
-    return format("{\n  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
-                  model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),
-                  clock.steps)
+    return format("{\n  \"runId\": \"{}\",\n", runId)
+           + format("  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
+                    model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),
+                    clock.steps)
            + format(
                "  \"wallSeconds\": {}, \"nsPerElementStep\": {}, \"nsPerContactorStep\": {},\n",
                toText(t.total, 6), over(1e9 * t.total, steps * elements, true, 5),
@@ -214,7 +218,7 @@ std::string performanceText(Solver& solver, const Model& model, const std::strin
 
 } // namespace
 
-void reportPerformance(Solver& solver, const Model& model, Run& run)
+void reportPerformance(Solver& solver, const Model& model, Run& run, const std::string& runId)
 {
     const StepTimes t = solver.times();
     const std::int64_t steps = solver.clock().steps;
@@ -234,7 +238,7 @@ void reportPerformance(Solver& solver, const Model& model, Run& run)
     const std::string checksum = hexText(solver.stateChecksum());
     run.log.line("stateChecksum = " + checksum);
     writeFileAtomically(run.theCase.path("postProcessing/performance/0/performance.json"),
-                        performanceText(solver, model, checksum));
+                        performanceText(solver, model, checksum, runId));
 }
 
 namespace {

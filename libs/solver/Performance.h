@@ -6,8 +6,8 @@
 namespace fpm {
 
 /// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
-/// postProcessing/performance/0/performance.json.
-void reportPerformance(Solver& solver, const Model& model, Run& run);
+/// postProcessing/performance/0/performance.json, with the id of the run.
+void reportPerformance(Solver& solver, const Model& model, Run& run, const std::string& runId);
 
 /// One line on the mass that mass scaling adds; none where there is none.
 void reportMassScaling(const Solver& solver, Log& log);

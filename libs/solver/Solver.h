@@ -5,6 +5,7 @@
 #include "model/Model.h"
 #include "solver/SolverData.h"
 
+#include <functional>
 #include <memory>
 
 namespace fpm {
@@ -108,6 +109,9 @@ public:
     /// Goes on with so many threads of the CPU, those it was made with at most. No bit depends on
     /// it.
     virtual void useThreads(int threads) = 0;
+    /// advance() calls `observer` every few steps, between two of them; empty: nobody. What it does
+    /// must not touch the solver.
+    virtual void watch(std::function<void(const StepClock&)> observer) = 0;
 
     virtual StepClock clock() const = 0;
     virtual Energies energies() = 0;

@@ -1,7 +1,9 @@
 #include "solver/TimeLoop.h"
 
+#include "application/RunRecord.h"
 #include "base/Format.h"
 #include "io/AtomicFile.h"
+#include "io/Frames.h"
 #include "solver/ContactWatch.h"
 #include "solver/Histories.h"
 #include "solver/Inversion.h"
@@ -72,20 +74,26 @@ public:
           control_(model.control),
           run_(run),
           maxSteps_(maxSteps),
-          histories_(run.theCase.root(), model)
+          record_(run.theCase, model.control.previousRun, run.log),
+          histories_(run.theCase.root(), model, record_.id())
     {
     }
 
+    ~TimeLoop() { solver_.watch({}); }
+
     void run()
     {
-        writeStatus("running");
+        solver_.watch([this](const StepClock& now) {
+            clock_ = now;
+            progress();
+        });
         try {
             loop();
         } catch (const Error& error) {
-            writeStatus(error.code() == ExitCode::stopped ? "stopped" : "failed");
+            end(error.code() == ExitCode::stopped ? RunState::stopped : RunState::failed);
             throw;
         }
-        writeStatus("finished");
+        end(RunState::finished);
     }
 
 private:
@@ -209,8 +217,12 @@ private:
     void writeFrame()
     {
         const std::string name = timeName(clock_.time);
-        fpm::writeFrame(run_.theCase.root(), name, resultFrame(solver_, model_),
-                        model_.mesh.points.size(), model_.mesh.hexahedra.size());
+        Frame frame = resultFrame(solver_, model_);
+        frame.runId = record_.id();
+        fpm::writeFrame(run_.theCase.root(), name, frame, model_.mesh.points.size(),
+                        model_.mesh.hexahedra.size());
+        series_.push_back(name);
+        writeSeries(run_.theCase.root(), record_.id(), series_);
         run_.log.line(format("Time = {}", name));
         watchEdges(solver_, model_, edgesCross_, run_.log);
         lastFrame_ = clock_.time;
@@ -222,6 +234,7 @@ private:
         const double wall = secondsSince(begin_);
         if (wall < nextLine_) return;
         nextLine_ = wall + 1;
+        record_.renew(clock_.time, clock_.steps, run_.log);
         const double part = clock_.time / control_.endTime;
         const double rate = double(clock_.steps) * double(model_.mesh.hexahedra.size()) / wall;
         run_.log.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
@@ -242,7 +255,7 @@ private:
         if (clock_.steps > 0)
             run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
                                  stepLimit(solver_, model_)));
-        reportPerformance(solver_, model_, run_);
+        reportPerformance(solver_, model_, run_, record_.id());
     }
 
     void reportEnergies()
@@ -293,19 +306,16 @@ private:
         }
     }
 
-    void writeStatus(const std::string& state)
-    {
-        writeFileAtomically(run_.theCase.path("status"),
-                            format("state {};\ntime {};\nsteps {};\nwallSeconds {};\n", state,
-                                   toText(clock_.time), clock_.steps, secondsSince(begin_)));
-    }
+    void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
 
     Solver& solver_;
     const Model& model_;
     const Control& control_;
     Run& run_;
     std::int64_t maxSteps_;
+    RunRecord record_;
     Histories histories_;
+    std::vector<std::string> series_; ///< time folders of the frames written
     StepClock clock_;
     Energies energies_;
     std::int64_t frames_ = 0, samples_ = 1;

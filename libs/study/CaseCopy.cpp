@@ -1,6 +1,7 @@
 #include "study/CaseCopy.h"
 
 #include "application/Confinement.h"
+#include "application/PreviousRun.h"
 #include "base/Format.h"
 #include "dictionary/EntryEdit.h"
 #include "dictionary/Number.h"
@@ -37,6 +38,7 @@ bool isInput(const fs::path& root, const fs::path& relative)
 {
     const auto name = relative.filename().string();
     if (name.starts_with('.')) return false;
+    if (relative == previousFolder) return !isPreviousRun(root / relative);
     if (!relative.has_parent_path()) return !isResult(name);
     if (relative == "constant/mesh.vtkhdf") return !fs::exists(root / "system/meshDict");
     return relative != "0/fields.vtkhdf";

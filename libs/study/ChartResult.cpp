@@ -1,5 +1,6 @@
 #include "study/ChartResult.h"
 
+#include "application/RunResults.h"
 #include "base/Format.h"
 #include "io/Table.h"
 #include "study/Expression.h"
@@ -43,6 +44,13 @@ Curve historyOf(const ChartProbe& probe, const std::filesystem::path& folder)
             found.empty() ? "" : "there are " + found);
     }
     const Table table = readTable(file);
+    const auto status = readStatus(folder);
+    const std::string other = otherRunOf(table, status ? status->runId : "");
+    if (!other.empty())
+        throw Error(ExitCode::fileIo,
+                    format("probe {}: {} is of run {}, but {} names run {}", probe.name,
+                           file.string(), other, (folder / "status").string(), status->runId),
+                    "delete the folder of this run; fpmChart makes it again");
     Curve curve{table.values(probe.x), table.values(probe.y)};
     for (double& t : curve.t) t *= probe.xScale;
     for (double& y : curve.y) y *= probe.yScale;

@@ -30,7 +30,7 @@ class CaseRun:
         made = () if meshed else ("mesh.vtkhdf",)
         left = shutil.ignore_patterns(
             "postProcessing", *made, "fields.vtkhdf", "log.*", "status", "*.series", ".lock",
-            "*e-*", "0.*")
+            "*e-*", "0.*", "previous")
         shutil.copytree(PROJECT / source, self.root, ignore=left)
 
     def __enter__(self):

@@ -11,6 +11,7 @@
 using namespace fpm;
 using test::readBytes;
 using test::TemporaryFolder;
+using test::writeBytes;
 
 namespace {
 
@@ -129,4 +130,34 @@ TEST(AtomicFile, RefusesAFolderThatIsAFile)
     writeFileAtomically(folder / "file", "text");
 
     EXPECT_THROW(writeFileAtomically(folder / "file/inside", "text"), Error);
+}
+
+TEST(AtomicFile, IsRenewedWithoutALeftover)
+{
+    const TemporaryFolder folder;
+    renewFile(folder / "status", "one");
+    renewFile(folder / "status", "two");
+
+    EXPECT_EQ(readBytes(folder / "status"), "two");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(AtomicFile, TemporariesOfKilledWritersAreRemoved)
+{
+    const TemporaryFolder folder;
+    const std::string dead = "2147483646", alive = std::to_string(::getppid());
+    const std::vector<std::string> names{".a.vtkhdf." + dead + ".tmp",
+                                         ".b.svg." + alive + ".tmp",
+                                         "notes." + dead + ".tmp",
+                                         "." + dead + ".tmp",
+                                         ".notes.tmp",
+                                         ".x.12a.tmp"};
+    for (const std::string& name : names) writeBytes(folder / name, "x");
+    std::filesystem::create_directory(folder / (".folder." + dead + ".tmp"));
+
+    EXPECT_EQ(removeTemporaries(folder.path(), true), 1);
+    EXPECT_FALSE(std::filesystem::exists(folder / (".a.vtkhdf." + dead + ".tmp")));
+    EXPECT_EQ(removeTemporaries(folder.path(), false), 1);
+    EXPECT_EQ(entries(folder.path()), 5U);
+    EXPECT_EQ(removeTemporaries(folder / "none", false), 0);
 }

@@ -163,12 +163,12 @@ TEST(Hdf5File, RefusesEveryTruncation)
     const TemporaryFolder folder;
     const auto file = folder / "file.h5";
     exampleImage().save(file);
-    EXPECT_TRUE(isCompleteHdf5(file));
+    EXPECT_TRUE(hdf5Label(file));
 
     for (std::size_t length = std::filesystem::file_size(file); length-- > 0;) {
         std::filesystem::resize_file(file, length);
         EXPECT_NE(refusal([&] { Hdf5Reader{file}; }), "") << length;
-        EXPECT_FALSE(isCompleteHdf5(file)) << length;
+        EXPECT_FALSE(hdf5Label(file)) << length;
     }
 }
 
@@ -265,4 +265,26 @@ TEST(Hdf5File, RefusesOtherTypesAndStorage)
     H5Pclose(external);
     H5Pclose(chunked);
     H5Tclose(text);
+}
+
+TEST(Hdf5File, CarriesALabelThatIsReadWithoutOpeningIt)
+{
+    const TemporaryFolder folder;
+    Hdf5Image image;
+    image.write("/a", std::array<double, 1>{2.5});
+    image.save(folder / "plain");
+    image.save(folder / "labelled", "fpm run one a mesh 0");
+
+    EXPECT_EQ(hdf5Label(folder / "plain"), "");
+    EXPECT_EQ(hdf5Label(folder / "labelled"), "fpm run one a mesh 0");
+    EXPECT_EQ(Hdf5Reader(folder / "labelled").doubles("/a"), std::vector<double>{2.5});
+    EXPECT_FALSE(hdf5Label(folder / "none"));
+    EXPECT_THROW(image.save(folder / "long", std::string(256, 'x')), Error);
+
+    std::string bytes = readBytes(folder / "labelled");
+    bytes[bytes.size() - 20] ^= 1; // in the label
+    writeBytes(folder / "labelled", bytes);
+    EXPECT_THROW(Hdf5Reader(folder / "labelled"), Error);
+    writeBytes(folder / "short", std::string("fpmsum2\xff") + "12345678"); // longer than the file
+    EXPECT_FALSE(hdf5Label(folder / "short"));
 }

@@ -125,3 +125,21 @@ TEST(HistoryFile, RefusesRowsOfAnotherLengthAndMissingFolders)
     EXPECT_THROW(history.append({1.0}), Error);
     EXPECT_THROW(HistoryFile(folder / "file/b.dat", {"time"}), Error);
 }
+
+TEST(Table, KeepsTheNotesAboveItsColumns)
+{
+    const TemporaryFolder folder;
+    HistoryFile(folder / "a.dat", {"time", "ux"}, {"fpm run one a.dat", "units: s mm"})
+        .append({0.5, 1.0});
+    writeTable(folder / "b.csv", {{"t", "u"}, {{1, 2}}, {"a note"}});
+
+    const Table dat = readTable(folder / "a.dat"), csv = readTable(folder / "b.csv");
+
+    EXPECT_EQ(readBytes(folder / "a.dat"),
+              "# fpm run one a.dat\n# units: s mm\n# time ux\n0.5 1\n");
+    EXPECT_EQ(dat.columns, (std::vector<std::string>{"time", "ux"}));
+    EXPECT_EQ(dat.notes, (std::vector<std::string>{"fpm run one a.dat", "units: s mm"}));
+    EXPECT_EQ(readBytes(folder / "b.csv"), "# a note\nt,u\n1,2\n");
+    EXPECT_EQ(csv.columns, (std::vector<std::string>{"t", "u"}));
+    EXPECT_EQ(csv.notes, (std::vector<std::string>{"a note"}));
+}

@@ -83,6 +83,7 @@ TEST(VtkHdf, ReadsBackAFrame)
 
     EXPECT_EQ(frame.time, 1.5e-4);
     EXPECT_EQ(frame.meshChecksum, "0123456789abcdef");
+    EXPECT_EQ(frame.runId, "");
     ASSERT_EQ(frame.nodeFields.size(), 1U);
     EXPECT_EQ(frame.nodeFields[0].name, "U");
     EXPECT_EQ(frame.nodeFields[0].columns, 3U);
@@ -113,51 +114,4 @@ TEST(VtkHdf, RefusesADamagedFrame)
     writeBytes(folder / "0/fields.vtkhdf", bytes);
 
     EXPECT_THROW(readFrame(folder / "0/fields.vtkhdf"), Error);
-}
-
-TEST(VtkHdf, ListsCompleteFramesInAscendingOrder)
-{
-    const TemporaryFolder folder;
-    for (const double time : {1e-3, 0.0, 5e-5, 1.5e-4})
-        writeFrame(folder.path(), timeName(time), exampleFrame(time), 8, 1);
-    std::filesystem::create_directories(folder / "0.5");    // no frame
-    std::filesystem::create_directories(folder / "0.orig"); // no time
-    std::filesystem::create_directories(folder / "2");
-    writeBytes(folder / "2/fields.vtkhdf", "cut short");
-
-    const auto times = frameTimes(folder.path());
-
-    ASSERT_EQ(times.size(), 4U);
-    EXPECT_EQ(times[0], std::pair(std::string("0"), 0.0));
-    EXPECT_EQ(times[1], std::pair(std::string("5e-05"), 5e-5));
-    EXPECT_EQ(times[2], std::pair(std::string("0.00015"), 1.5e-4));
-    EXPECT_EQ(times[3], std::pair(std::string("0.001"), 1e-3));
-}
-
-TEST(VtkHdf, WritesTheSeriesUnderBothNames)
-{
-    const TemporaryFolder folder;
-    for (const double time : {0.0, 5e-5})
-        writeFrame(folder.path(), timeName(time), exampleFrame(time), 8, 1);
-
-    const std::string series = readBytes(folder / "case.vtkhdf.series");
-
-    EXPECT_EQ(series, "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
-                      "    {\"name\": \"0/fields.vtkhdf\", \"time\": 0},\n"
-                      "    {\"name\": \"5e-05/fields.vtkhdf\", \"time\": 5e-05}\n  ]\n}\n");
-    EXPECT_EQ(readBytes(folder / "case.hdf.series"), series);
-}
-
-TEST(VtkHdf, NamesTimesWithoutRounding)
-{
-    EXPECT_EQ(timeName(0), "0");
-    EXPECT_EQ(timeName(-0.0), "0");
-    EXPECT_EQ(timeName(0.1 + 0.2), "0.3");
-    EXPECT_EQ(timeName(1.5e-4), "0.00015");
-    EXPECT_EQ(timeName(3 * 5e-5), "0.00015");
-    EXPECT_EQ(timeName(4e-4), "0.0004");
-    EXPECT_EQ(timeName(1), "1");
-    double time = 0;
-    for (int step = 0; step < 1000; ++step) time += 1e-7;
-    EXPECT_EQ(timeName(time), "0.0001");
 }

@@ -48,6 +48,7 @@ TEST(ControlReader, NeedsNothingButTheEndTime)
     EXPECT_EQ(control.backend, "openmp");
     EXPECT_EQ(control.assembly, Assembly::patch);
     EXPECT_TRUE(control.midStepStrain);
+    EXPECT_EQ(control.previousRun, "keep");
 }
 
 TEST(ControlReader, ReadsWhatIsSaid)
@@ -57,7 +58,7 @@ TEST(ControlReader, ReadsWhatIsSaid)
              "precision mixed; searchInterval 7; strainGeometry start; assembly gather; threads 3; "
              "energyBalance { "
              "warning 0.1; stop "
-             "0.2; }");
+             "0.2; } previousRun remove;");
 
     EXPECT_EQ(control.timeStepSafety, 0.5);
     EXPECT_EQ(control.contactStepLimit, 1);
@@ -69,6 +70,7 @@ TEST(ControlReader, ReadsWhatIsSaid)
     EXPECT_FALSE(control.midStepStrain);
     EXPECT_EQ(control.threads, 3);
     EXPECT_EQ(control.energyStop, 0.2);
+    EXPECT_EQ(control.previousRun, "remove");
 }
 
 TEST(ControlReader, QuasiStaticToolsAreOffUnlessGiven)

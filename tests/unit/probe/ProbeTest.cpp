@@ -1,5 +1,6 @@
 #include "probe/Probe.h"
 
+#include "application/PreviousRun.h"
 #include "io/Table.h"
 #include "io/VtkHdf.h"
 #include "mesh/MeshFile.h"
@@ -30,10 +31,11 @@ protected:
         writeMesh(folder / "constant/mesh.vtkhdf", mesh);
     }
 
-    void addFrame(const std::string& name, double time)
+    void addFrame(const std::string& name, double time, const std::string& runId = "")
     {
         Frame frame;
         frame.time = time;
+        frame.runId = runId;
         ResultField displacement{"U", 3, {}};
         for (std::size_t node = 0; node < mesh.points.size(); ++node)
             displacement.values.insert(displacement.values.end(), {0, 0, 2e3 * time});
@@ -45,7 +47,8 @@ protected:
     std::vector<std::string> run(const std::string& text, const ProbeSelection& selection = {})
     {
         const Case theCase(folder.path());
-        Log log = Log::quiet();
+        said.clear();
+        Log log = Log::into(said);
         std::vector<std::string> names;
         for (const auto& file :
              runProbe(theCase, Dictionary::parse(text, "probeDict"), selection, log)) {
@@ -65,8 +68,15 @@ protected:
         return "no error";
     }
 
+    void setStatus(const std::string& state, const std::string& runId)
+    {
+        test::writeBytes(folder / "status",
+                         "state " + state + "; runId \"" + runId + "\"; time 1e-4;\n");
+    }
+
     test::TemporaryFolder folder;
     Mesh mesh;
+    std::string said; ///< log of the last run
 };
 
 const std::string table = "tables { end { type section; set end; field U; } }\n";
@@ -141,6 +151,99 @@ TEST_F(ProbeCase, NamesTheEntryWhoseFieldOrPartDoesNotExist)
               "picture 'p': the mesh has no part 'rod'");
     EXPECT_EQ(failureOf("tables { t { type section; set ends; field U; } }"),
               "table 't': the mesh has no set 'ends'");
+}
+
+TEST_F(ProbeCase, TakesTheFramesOfTheRunInStatusAndMarksWhatItMakes)
+{
+    addFrame("0", 0, "one");
+    addFrame("0.0001", 1e-4, "one");
+    addFrame("0.0002", 2e-4, "two");
+    setStatus("finished", "one");
+
+    const auto files = run(plot + "pictures { last { field Mises; } }" + table);
+
+    EXPECT_EQ(readTable(folder / "postProcessing/end/0/U.dat").values("time"),
+              (std::vector<double>{0, 1e-4}));
+    EXPECT_TRUE(fs::exists(folder / "postProcessing/pictures/last_0.0001.png"));
+    EXPECT_NE(said.find("warning: left out: 1 frames of other runs, at times 0.0002\n"), said.npos)
+        << said;
+    // A new run knows them by their marks.
+    const auto known = resultFiles(folder.path());
+    ASSERT_EQ(files.size(), 4U);
+    for (const std::string& file : files)
+        EXPECT_NE(std::find(known.begin(), known.end(), file), known.end()) << file;
+}
+
+TEST_F(ProbeCase, DrawsNoFramesOfAnotherMesh)
+{
+    addFrame("0", 0, "one");
+    setStatus("finished", "one");
+    Mesh finer;
+    test::addBox(finer, "bar", {4, 1, 1}, {0, 0, 0}, {2, 1, 1});
+    finer.patchStarts = {0, 4};
+    finer.sideSets["end"] = {{3, 1}};
+    writeMesh(folder / "constant/mesh.vtkhdf", finer);
+
+    EXPECT_TRUE(run("pictures { last { field Mises; } }" + table).empty());
+    EXPECT_NE(said.find("warning: left out: 1 frames of another mesh than constant/mesh.vtkhdf, at "
+                        "times 0; run fpmExplicit with this mesh\n"),
+              said.npos)
+        << said;
+}
+
+TEST_F(ProbeCase, DrawsARunThatFailedAndSaysSo)
+{
+    addFrame("0", 0, "one");
+    setStatus("failed", "one");
+    test::writeBytes(folder / "why.txt", "step 7: element 3 has no positive volume any more\n");
+
+    EXPECT_EQ(run("pictures { last { field Mises; } }").size(), 2U);
+    EXPECT_EQ(
+        said.substr(0, said.find('\n')),
+        "warning: run one failed at time 0.0001: step 7: element 3 has no positive volume any "
+        "more; its results end there");
+}
+
+TEST_F(ProbeCase, NamesAFrameThatIsCutShort)
+{
+    addFrame("0", 0, "one");
+    addFrame("0.0001", 1e-4, "one");
+    setStatus("finished", "one");
+    const auto file = folder / "0.0001/fields.vtkhdf";
+    fs::resize_file(file, fs::file_size(file) / 2);
+
+    EXPECT_EQ(failureOf("pictures { last { field Mises; } }"),
+              "frame '" + fs::canonical(file).string() + "' is cut short or no frame of ours");
+}
+
+TEST_F(ProbeCase, LeavesSeriesOfAnotherRunOutOfAPlot)
+{
+    setStatus("finished", "one");
+    for (const std::string runId : {"one", "two"}) {
+        const std::string file = "postProcessing/" + runId + "/0/U.dat";
+        fs::create_directories((folder / file).parent_path());
+        fs::create_directories(folder / "previous/postProcessing");
+        for (const std::string& place : {file, "previous/postProcessing/" + runId + ".dat"})
+            test::writeBytes(folder / place, "# fpm run " + runId + " " + file + "\n# t u\n0 1\n");
+    }
+    const auto series = [](const std::string& file) {
+        return "a { file \"" + file + "\"; x t; y u; }";
+    };
+
+    EXPECT_EQ(
+        run("plots { p { series { " + series("postProcessing/one/0/U.dat")
+            + " } }"
+              " q { series { "
+            + series("postProcessing/two/0/U.dat")
+            + " } }"
+              " r { series { "
+            + series("previous/postProcessing/two.dat") + " } } }"),
+        (std::vector<std::string>{"postProcessing/plots/p.svg", "postProcessing/plots/r.svg"}));
+    EXPECT_NE(
+        said.find("warning: plot 'q': 'postProcessing/two/0/U.dat' is of run two, not of this "
+                  "one: left out\nplot 'q': no series: skipped\n"),
+        said.npos)
+        << said;
 }
 
 TEST_F(ProbeCase, RefusesFilesOutsideTheCaseAndMisspeltKeys)
