@@ -176,10 +176,33 @@ void reportOverlaps(const Mesh& mesh,
     }
 }
 
+/// No contactor node faces the target, nor lies inside.
+static void reportUnmet(const Mesh& mesh, const ContactSurfaces& surfaces, int passes, Log& log)
+{
+    const ContactFit swapped =
+        measureContact(mesh, {surfaces.pair, nodesOf(mesh, surfaces.targetSides),
+                              surfaces.targetSides, surfaces.contactorSides});
+    const bool other = swapped.facingNodes > 0 || !swapped.overlaps.empty();
+    if (other && passes == 2)
+        log.line(format("    its second pass meets: {} nodes of the target face the contactor, "
+                        "smallest gap {}",
+                        swapped.facingNodes, swapped.smallestGap));
+    else if (other)
+        log.warning(format("pair {}: no contactor node faces the target, but {} nodes of the "
+                           "target face the contactor: swap contactor and target, or set passes "
+                           "two",
+                           surfaces.pair, swapped.facingNodes + swapped.overlaps.size()));
+    else
+        log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
+                           "the surfaces that meet?",
+                           surfaces.pair));
+}
+
 void reportContact(const Mesh& mesh,
                    const ContactSurfaces& surfaces,
                    const ContactFit& fit,
                    InitialOverlap overlap,
+                   int passes,
                    Log& log)
 {
     log.line(format("pair {}: {} contactor nodes (area {}), {} target faces (area {})",
@@ -189,9 +212,7 @@ void reportContact(const Mesh& mesh,
         log.line(format("    initial gap: smallest {}, mean {} over {} nodes that face the target",
                         fit.smallestGap, fit.meanGap, fit.facingNodes));
     else if (fit.depths.none() && fit.facesPointingAway == 0)
-        log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
-                           "the surfaces that meet?",
-                           surfaces.pair));
+        reportUnmet(mesh, surfaces, passes, log);
     reportOverlaps(mesh, surfaces.pair, fit, overlap, log);
     if (fit.facesPointingAway > 0)
         log.warning(

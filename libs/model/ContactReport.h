@@ -17,11 +17,14 @@ struct ContactFit {
 };
 ContactFit measureContact(const Mesh& mesh, const ContactSurfaces& surfaces);
 
-/// Prints the fit; overlaps and faces that point away are warnings.
+/// Prints the fit; overlaps and faces that point away are warnings. Where no contactor node faces
+/// the target the pair is measured with its sides swapped: a second pass (`passes` 2) may see what
+/// the first does not, as a small fine body on a large coarse one.
 void reportContact(const Mesh& mesh,
                    const ContactSurfaces& surfaces,
                    const ContactFit& fit,
                    InitialOverlap overlap,
+                   int passes,
                    Log& log);
 
 /// Warns of the overlaps alone: how many, how deep, where, and what becomes of them.

@@ -167,7 +167,7 @@ ContactSurfaces setPair(Mesh& mesh,
     }
     const ContactFit fit = measureContact(mesh, surfaces);
     refuseTargetsTurnedAway(fit, place);
-    reportContact(mesh, surfaces, fit, entry.initialOverlap, log);
+    reportContact(mesh, surfaces, fit, entry.initialOverlap, entry.passes, log);
     if (entry.initialOverlap == InitialOverlap::move) moveToSurface(mesh, fit, place, log);
     refuseDeepStart(mesh, surfaces, entry.passes, place);
     reportCrossings(mesh, surfaces, log);

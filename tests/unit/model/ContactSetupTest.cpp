@@ -61,6 +61,27 @@ TEST(ContactSetup, StoresBothSidesOfThePairInTheMesh)
                          "pair press: 32 contactor nodes (area 16), 64 target faces (area 48)"));
 }
 
+TEST(ContactSetup, WhatOnlyTheSecondPassSeesIsNoWarningWithTwoAndHasItsCureWithOne)
+{
+    // No node of the coarse lower block lies under the punch.
+    const Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {12, 12, 6}, {3, 3, 3}},
+                                     {"upper", {4.5, 4.5, 6.05}, {3, 3, 6}, {6, 6, 12}}});
+    Workshop two(mesh), one(mesh),
+        away(test::boxMesh({{"lower", {0, 0, 0}, {4, 4, 1}, {4, 4, 2}},
+                            {"upper", {10, 1, 2}, {2, 2, 1}, {3, 3, 1}}}));
+
+    two.run("pairs { press { contactor lower; target upper; passes two; } }");
+    one.run("pairs { press { contactor lower; target upper; } }");
+    away.run("pairs { press { contactor lower.zMax; target upper.xMin; } }");
+
+    EXPECT_FALSE(contains(two.folder.logText(), "warning"));
+    EXPECT_TRUE(contains(two.folder.logText(), "its second pass meets: 49 nodes"));
+    EXPECT_TRUE(contains(one.folder.logText(), "but 49 nodes of the target face the contactor: "
+                                               "swap contactor and target, or set passes two"));
+    EXPECT_TRUE(
+        contains(away.folder.logText(), "are contactor and target the surfaces that meet?"));
+}
+
 TEST(ContactSetup, MeasuresTheGapOfTheNodesThatFaceTheTarget)
 {
     const ContactFit fit = fitOf(blocks(0.25));
