@@ -24,7 +24,8 @@ Point areaVector(const std::vector<Point>& points, const Quad& quad)
 
 std::vector<Segment> sharpEdges(const Mesh& mesh,
                                 const std::vector<Point>& points,
-                                const std::vector<ElementSide>& sides)
+                                const std::vector<ElementSide>& sides,
+                                const std::vector<SurfaceMirror>& mirrors)
 {
     constexpr double cosine30 = 0.86602540378443865;
     std::map<std::pair<Index, Index>, std::vector<Point>> normals;
@@ -34,7 +35,11 @@ std::vector<Segment> sharpEdges(const Mesh& mesh,
             normals[std::minmax(quad[k], quad[(k + 1) % 4])].push_back(areaVector(points, quad));
     }
     std::vector<Segment> edges;
-    for (const auto& [nodes, faces] : normals) {
+    for (auto& [nodes, faces] : normals) {
+        for (const SurfaceMirror& mirror : mirrors)
+            if (faces.size() == 1 && (*mirror.holds)[std::size_t(nodes.first)]
+                && (*mirror.holds)[std::size_t(nodes.second)])
+                faces.push_back(along(faces[0], -2 * dot(faces[0], mirror.normal), mirror.normal));
         const bool smooth =
             faces.size() == 2
             && dot(faces[0], faces[1]) > cosine30 * length(faces[0]) * length(faces[1]);
@@ -152,11 +157,12 @@ void count(EdgeCrossings& found, const std::vector<Segment>& edges, const Sweep&
 EdgeCrossings edgeCrossings(const Mesh& mesh,
                             const std::vector<Point>& points,
                             const std::vector<ElementSide>& contactor,
-                            const std::vector<ElementSide>& target)
+                            const std::vector<ElementSide>& target,
+                            const std::vector<SurfaceMirror>& mirrors)
 {
     EdgeCrossings found;
-    count(found, sharpEdges(mesh, points, contactor), Sweep(mesh, points, target));
-    count(found, sharpEdges(mesh, points, target), Sweep(mesh, points, contactor));
+    count(found, sharpEdges(mesh, points, contactor, mirrors), Sweep(mesh, points, target));
+    count(found, sharpEdges(mesh, points, target, mirrors), Sweep(mesh, points, contactor));
     return found;
 }
 

@@ -11,12 +11,19 @@ struct EdgeCrossings {
     Point place{0, 0, 0}; ///< of the first
 };
 
+/// A plane of symmetry, on which a surface goes on as its own mirror image.
+struct SurfaceMirror {
+    Point normal;                   ///< unit
+    const std::vector<bool>* holds; ///< [node of the mesh]
+};
+
 /// Counts the sharp edges (more than 30 degrees between their faces, or one face only) of each
 /// surface whose ends both lie outside the other and whose middle is inside by more than a
 /// hundredth of a face's width. `points` are the present positions of the mesh's nodes.
 EdgeCrossings edgeCrossings(const Mesh& mesh,
                             const std::vector<Point>& points,
                             const std::vector<ElementSide>& contactor,
-                            const std::vector<ElementSide>& target);
+                            const std::vector<ElementSide>& target,
+                            const std::vector<SurfaceMirror>& mirrors = {});
 
 } // namespace fpm

@@ -45,6 +45,24 @@ TEST(EdgeCrossing, SeesEdgesThatCrossWhereNoNodeIsInside)
     EXPECT_NEAR(found.place[2], std::sqrt(0.5), 0.05);
 }
 
+TEST(EdgeCrossing, TheRimOfASurfaceOnAPlaneOfSymmetryIsNoEdge)
+{
+    // The top of the lower block ends at y = 0, where a wedge on top of it cuts into the rim.
+    Mesh mesh = test::boxMesh({{"lower", {0, 0, 0}, {4, 4, 1}, {1, 1, 1}},
+                               {"upper", {1, -1, 0.9}, {2, 2, 1}, {1, 1, 1}}});
+    const auto top = [&](Index part, Index number) {
+        std::vector<ElementSide> sides;
+        for (const ElementSide& side : skin(mesh, part))
+            if (side.side == number) sides.push_back(side);
+        return sides;
+    };
+    std::vector<bool> onPlane;
+    for (const Point& p : mesh.points) onPlane.push_back(p[1] == 0);
+    const auto lower = top(0, 5), upper = skin(mesh, 1);
+    EXPECT_EQ(edgeCrossings(mesh, mesh.points, lower, upper).count, 1u);
+    EXPECT_EQ(edgeCrossings(mesh, mesh.points, lower, upper, {{{0, 1, 0}, &onPlane}}).count, 0u);
+}
+
 TEST(EdgeCrossing, SeesNoneWhereTheBodiesAreApart)
 {
     EXPECT_EQ(crossings(crossedWedges(-0.01)).count, 0u);
