@@ -169,7 +169,7 @@ struct DeviceState {
           contactNumber(data.contactNumber),
           contactSum(4 * data.contactNodes.size()),
           contactLimit(blocks(Index(data.contactNodes.size())) + data.body.bodies.size()),
-          contactTravel(2 * blocks(Index(data.contactNodes.size()))),
+          contactTravel(travelValues * blocks(Index(data.contactNodes.size()))),
           searchOrigin(3 * blocks(Index(data.contactNodes.size()))),
           searchOffset(3 * data.contactNodes.size()),
           clock(std::vector<StepClock>(1))

@@ -94,7 +94,7 @@ private:
     SurfaceForce<Precision> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();
     /// Blocks of contact nodes; the bounds of the bodies follow theirs.
-    Index contactBlocks() const { return Index(state_.contactTravel.size() / 2); }
+    Index contactBlocks() const { return Index(state_.contactTravel.size() / travelValues); }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
     std::array<double, pairSums> sumsOf(std::size_t pass);

@@ -158,6 +158,8 @@ void ExplicitSolver<Precision, Executor>::arrangeContact(bool all)
         shareContactNodes(k);
         passes[k] = {.way = 0,
                      .come = 0,
+                     .sure = 0,
+                     .sureCome = 0,
                      .due = 0,
                      .searches = passes[k].searches + 1,
                      .whole = 0,

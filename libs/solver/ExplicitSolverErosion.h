@@ -198,7 +198,7 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
     state_.contactNodes = Numbers(data_.contactNodes);
     state_.contactNumber = Numbers(data_.contactNumber);
     state_.contactSum = Array<std::int64_t, Executor>(sum);
-    state_.contactTravel = Array<double, Executor>(2 * limit.size());
+    state_.contactTravel = Array<double, Executor>(travelValues * limit.size());
     limit.insert(limit.end(), ofBodies.begin(), ofBodies.end());
     state_.contactLimit = Array<double, Executor>(limit);
     state_.searchOrigin = Array<double, Executor>(3 * state_.blocks(Index(count)));

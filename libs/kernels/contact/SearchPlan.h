@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/PairView.h"
+#include "kernels/contact/Travel.h"
 
 namespace fpm {
 
@@ -14,16 +15,18 @@ namespace fpm {
 
 /// A block of contactors of a pass.
 struct BlockSearch {
-    double way;  ///< of both sides, between its last search and the remembered positions
-    double come; ///< since those
-    Index due;   ///< 1: it searches now
-    Index steps; ///< for which its list lasts from now on
+    double way;            ///< of both sides, between its last search and the remembered positions
+    double come;           ///< since those
+    double sure, sureCome; ///< of both, what is not rounding: only this can make a list late
+    Index due;             ///< 1: it searches now
+    Index steps;           ///< for which its list lasts from now on
 };
 
 /// A pass as a whole.
 struct PassSearch {
     double way;            ///< since it was arranged
     double come;           ///< since the remembered positions
+    double sure, sureCome; ///< as BlockSearch
     std::int64_t due;      ///< blocks that search now
     std::int64_t searches; ///< so far
     Index whole;           ///< 1: all of it has to search, by the host, and to be arranged anew
@@ -58,16 +61,22 @@ struct SearchPlan {
     {
         return haste * (fixedStep > 0 ? fixedStep : growth * clock->step);
     }
-    /// Square of the largest way (0) or speed (1) in blocks of contact nodes.
+    /// Square of the largest way (0), speed (1) or rounding (2) in blocks of contact nodes.
     FPM_KERNEL double
     largest(const Index* numbers, Index begin, Index end, Index stride, int which) const
     {
         double square = 0;
         for (Index k = begin; k < end; k += stride) {
-            const double value = travel[2 * std::size_t(numbers[k]) + which];
+            const double value =
+                travel[travelValues * std::size_t(numbers[k]) + std::size_t(which)];
             square = value > square ? value : square;
         }
         return square;
+    }
+    /// The least way that a way told with rounding can be: both its ends were rounded.
+    FPM_KERNEL static double withoutRounding(double way, double rounding)
+    {
+        return way > 2 * rounding ? way - 2 * rounding : 0;
     }
     /// How many steps of a way of `each` fit into what is left; horizon at most.
     FPM_KERNEL Index lasting(double left, double each) const
@@ -87,13 +96,17 @@ struct JudgeBlocks {
         const SearchPlan& p = plan;
         BlockSearch& block = p.blocks[number];
         if (p.nearStart[number] == p.nearStart[number + 1]) { // until the pass is arranged anew
-            block = {0, 0, 0, p.horizon};
+            block = {0, 0, 0, 0, 0, p.horizon};
             return;
         }
-        if (p.clock->searched) block.way = block.due ? 0 : block.way + block.come;
+        if (p.clock->searched) {
+            block.way = block.due ? 0 : block.way + block.come;
+            block.sure = block.due ? 0 : block.sure + block.sureCome;
+        }
         block.come = both(number, 0);
+        block.sureCome = SearchPlan::withoutRounding(block.come, both(number, 2));
         const double each = both(number, 1) * p.timePerStep(), way = block.way + block.come;
-        if (way > p.reach && !p.pass->fresh) atomicAdd64(p.late, 1);
+        if (block.sure + block.sureCome > p.reach && !p.pass->fresh) atomicAdd64(p.late, 1);
         block.steps = p.lasting(p.reach - way, each);
         block.due = block.steps < p.horizon && !p.pass->fresh;
         if (block.due) block.steps = p.lasting(p.reach, each);
@@ -114,15 +127,20 @@ struct PlanPass {
     SearchPlan plan;
 
     static constexpr Index lanes = 256, groups = 16;
-    static constexpr std::size_t scratch() { return lanes * (4 * sizeof(double) + sizeof(Index)); }
+    static constexpr int sides = 2; ///< own nodes, target nodes
+    static constexpr std::size_t scratch()
+    {
+        return lanes * (sides * travelValues * sizeof(double) + sizeof(Index));
+    }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index) const
     {
         const SearchPlan p = plan;
         constexpr Index used = Team::oneThread ? 1 : lanes;
-        double* most = reinterpret_cast<double*>(team.scratch()); // [4][lane]: way, speed of each
-        Index* least = reinterpret_cast<Index*>(most + 4 * lanes);
+        // [side][value of ContactTravel][lane]
+        double* most = reinterpret_cast<double*>(team.scratch());
+        Index* least = reinterpret_cast<Index*>(most + sides * travelValues * lanes);
         PassSearch* pass = p.pass;
         team.forEach(1, [=](Index) { pass->due = 0; });
         team.barrier();
@@ -131,9 +149,9 @@ struct PlanPass {
             for (Index b = lane; b < p.blockCount; b += used)
                 if (p.blocks[b].steps < steps) steps = p.blocks[b].steps;
             least[lane] = steps;
-            for (int which = 0; which < 2; ++which) {
+            for (int which = 0; which < travelValues; ++which) {
                 most[which * lanes + lane] = p.largest(p.allOwn, lane, p.ownCount, used, which);
-                most[(2 + which) * lanes + lane] =
+                most[(travelValues + which) * lanes + lane] =
                     p.largest(p.allTarget, lane, p.targetCount, used, which);
             }
         });
@@ -161,19 +179,28 @@ private:
     {
         for (Index from = lane + stride; from < end; from += stride) {
             if (least[from] < least[lane]) least[lane] = least[from];
-            for (Index k = 0; k < 4 * lanes; k += lanes)
+            for (Index k = 0; k < sides * travelValues * lanes; k += lanes)
                 if (most[k + from] > most[k + lane]) most[k + lane] = most[k + from];
         }
+    }
+    /// Largest of the own nodes plus largest of the target's.
+    FPM_KERNEL static double both(const double* most, int which)
+    {
+        return ::sqrt(most[which * lanes]) + ::sqrt(most[(travelValues + which) * lanes]);
     }
     /// `most`, `steps`: of all lanes.
     FPM_KERNEL static void decide(const SearchPlan& p, const double* most, Index steps)
     {
         PassSearch& pass = *p.pass;
-        if (p.clock->searched) pass.way += pass.come;
-        pass.come = ::sqrt(most[0]) + ::sqrt(most[2 * lanes]);
-        if (pass.way + pass.come > SearchPlan::nearness * p.reach && !pass.fresh)
+        if (p.clock->searched) {
+            pass.way += pass.come;
+            pass.sure += pass.sureCome;
+        }
+        pass.come = both(most, 0);
+        pass.sureCome = SearchPlan::withoutRounding(pass.come, both(most, 2));
+        if (pass.sure + pass.sureCome > SearchPlan::nearness * p.reach && !pass.fresh)
             atomicAdd64(p.late, 1);
-        const double each = (::sqrt(most[lanes]) + ::sqrt(most[3 * lanes])) * p.timePerStep(),
+        const double each = both(most, 1) * p.timePerStep(),
                      left = (SearchPlan::nearness - 1) * p.reach - pass.way - pass.come;
         // What is near has to be known until the next look alone.
         const Index known = p.lasting(left, each), next = steps > 1 ? steps : 1;

@@ -6,10 +6,14 @@
 
 namespace fpm {
 
+/// What ContactTravel tells of a block of contact nodes.
+inline constexpr int travelValues = 3;
+
 /// How far the contact nodes have come since their positions were remembered, or a little further,
-/// and how fast they are: largest square of a block of nodes. One index = one block; the same in
-/// any order. Remembered are the place of the block's first node and from there the offsets of all
-/// as floats, whose rounding is added to the way.
+/// how fast they are, and how much rounding may have to do with the former: largest square of a
+/// block of nodes. One index = one block; the same in any order. Remembered are the place of the
+/// block's first node and from there the offsets of all as floats, whose rounding is added to the
+/// way: much where a block has nodes of bodies that lie a million element sizes apart.
 template <class Precision>
 struct ContactTravel {
     Index count;
@@ -19,32 +23,36 @@ struct ContactTravel {
     std::size_t nodeStride;
     const double* searchOrigin; ///< [block][3]
     const float* searchOffset;  ///< three planes of `count`
-    double* travel;             ///< [block][2]: distance and speed, squared
+    double* travel;             ///< [block][travelValues]: distance, speed, rounding in it, squared
 
     /// Of a double that is kept as a float, and of the subtractions around it.
     static constexpr double rounding = 6e-8;
 
     FPM_KERNEL void operator()(Index block) const
     {
-        double distance = 0, speed = 0;
+        double distance = 0, speed = 0, most = 0;
         const Index first = travelBlock * block,
                     last = first + travelBlock < count ? first + travelBlock : count;
         for (Index i = first; i < last; ++i) {
-            double d2 = 0, v2 = 0;
+            double d2 = 0, v2 = 0, r2 = 0;
             for (int c = 0; c < 3; ++c) {
                 const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
                 const double offset = double(searchOffset[c * std::size_t(count) + i]),
                              way = double(position[at]) - searchOrigin[3 * block + c] - offset,
-                             d = magnitude(way) + rounding * magnitude(offset);
+                             r = rounding * magnitude(offset), d = magnitude(way) + r;
                 const double v = double(velocity[at]);
                 d2 += d * d;
                 v2 += v * v;
+                r2 += r * r;
             }
             distance = d2 > distance ? d2 : distance;
             speed = v2 > speed ? v2 : speed;
+            most = r2 > most ? r2 : most;
         }
-        travel[2 * block] = distance;
-        travel[2 * block + 1] = speed;
+        double* out = travel + travelValues * std::size_t(block);
+        out[0] = distance;
+        out[1] = speed;
+        out[2] = most;
     }
 };
 

@@ -38,11 +38,11 @@ public:
     }
     double travel(Index block)
     {
-        double out[4];
+        double out[2 * travelValues];
         ContactTravel<DoublePrecision>{
             Index(count), nodes_.data(), position_.data(), velocity_.data(),
             count,        origin_,       offset_,          out}(block);
-        return std::sqrt(out[2 * block]);
+        return std::sqrt(out[travelValues * block]);
     }
 
 private:

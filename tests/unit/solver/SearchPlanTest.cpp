@@ -57,6 +57,7 @@ public:
         for (std::size_t block = 0; block < ways.size(); ++block) {
             travel.push_back(ways[block] * ways[block]);
             travel.push_back(speeds[block] * speeds[block]);
+            travel.push_back(rounding * rounding);
         }
         std::vector<SearchPlan> plans;
         for (std::size_t pass = 0; pass < states_.size(); ++pass)
@@ -82,6 +83,7 @@ public:
     StepClock& clock() { return clock_; }
 
     StepRules rules;
+    double rounding = 0; ///< in the ways told
 
 private:
     using Executor = CpuExecutor<64>;
@@ -238,6 +240,17 @@ TEST(SearchPlan, ListsThatWereUsedForTooLongAreCounted)
     ways[4] = 9; // and what was near it is not known any more
     look(ways, slow);
     EXPECT_EQ(look.late(), 3);
+}
+
+TEST(SearchPlan, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
+{
+    Looks look = arranged(1, 1, 0);
+    look(still, still);
+    look.rounding = 0.3; // of each side, at both ends of a way
+    EXPECT_EQ(look({1.1, 0, 0, 0}, still), "0: 0");
+    EXPECT_EQ(look.late(), 0);
+    EXPECT_EQ(look({2.3, 0, 0, 0}, still), "0: 0");
+    EXPECT_EQ(look.late(), 1);
 }
 
 TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
