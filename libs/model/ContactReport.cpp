@@ -17,6 +17,8 @@ namespace fpm {
 
 namespace {
 
+constexpr double noteworthy = 0.05; ///< depth of an overlap, of a face's width: more is warned of
+
 double totalArea(const Mesh& mesh, const std::vector<ElementSide>& sides)
 {
     double sum = 0;
@@ -165,7 +167,12 @@ void reportOverlaps(const Mesh& mesh,
         log.warning(what + "; they are pushed out at the first step (see 'initialOverlap')");
         break;
     case InitialOverlap::offset:
-        log.line(what + "; this makes no force until they have come out");
+        if (deepest->depth > noteworthy * fit.targetSize)
+            log.warning(what
+                        + "; this makes no force until they have come out: move the bodies apart, "
+                          "or for a press fit write 'initialOverlap ramp;' and 'rampTime'");
+        else
+            log.line(what + "; this makes no force until they have come out");
         break;
     case InitialOverlap::ramp:
         log.line(what + "; the force of this grows over rampTime");
@@ -182,7 +189,7 @@ static void reportUnmet(const Mesh& mesh, const ContactSurfaces& surfaces, int p
     const ContactFit swapped =
         measureContact(mesh, {surfaces.pair, nodesOf(mesh, surfaces.targetSides),
                               surfaces.targetSides, surfaces.contactorSides});
-    const bool other = swapped.facingNodes > 0 || !swapped.overlaps.empty();
+    const bool other = swapped.facingNodes > 0 || !swapped.depths.none();
     if (other && passes == 2)
         log.line(format("    its second pass meets: {} nodes of the target face the contactor, "
                         "smallest gap {}",
@@ -191,7 +198,7 @@ static void reportUnmet(const Mesh& mesh, const ContactSurfaces& surfaces, int p
         log.warning(format("pair {}: no contactor node faces the target, but {} nodes of the "
                            "target face the contactor: swap contactor and target, or set passes "
                            "two",
-                           surfaces.pair, swapped.facingNodes + swapped.overlaps.size()));
+                           surfaces.pair, swapped.facingNodes + swapped.depths.held.size()));
     else
         log.warning(format("pair {}: no contactor node faces the target; are contactor and target "
                            "the surfaces that meet?",
