@@ -73,8 +73,8 @@ ContactLaw readContactLaw(const Dictionary& pair)
         readFriction(pair.sub("friction"), law);
     else
         law.friction = pair.numberOr("friction", 0.0, nonNegative());
-    law.normalScale = pair.numberOr("normalScale", 1.0, scale);
-    law.tangentialScale = pair.numberOr("tangentialScale", 0.1, scale);
+    law.normalScale = pair.numberOr("normalScale", law.normalScale, scale);
+    law.tangentialScale = pair.numberOr("tangentialScale", law.tangentialScale, scale);
     const std::string penalty =
         pair.choiceOr("penalty", "target", {"target", "min", "series", "mass"});
     law.penalty = penalty == "min"      ? PenaltyRule::lesser

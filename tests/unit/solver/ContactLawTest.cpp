@@ -28,6 +28,7 @@ Model turningPair(char axis, const char* form)
                                    facing(model.mesh, "lower", {0, 0, 1}));
     pair.friction = 0.9;
     pair.paperFriction = std::string(form) == "paper";
+    pair.tangentialScale = 0.1; // friction bears what the shear asks for
     const std::vector<Index> upper = nodesOfPart(model.mesh, "upper");
     const int rows = 400;
     const double shearTime = 1e-5, time = 4e-4;
