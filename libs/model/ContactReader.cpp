@@ -77,11 +77,11 @@ void readOptions(PairEntry& pair, const Dictionary& entry)
 {
     static_cast<ContactLaw&>(pair) = readContactLaw(entry);
     const std::string overlap =
-        entry.choiceOr("initialOverlap", "report", {"report", "offset", "ramp", "move"});
-    pair.initialOverlap = overlap == "offset" ? InitialOverlap::offset
+        entry.choiceOr("initialOverlap", "offset", {"report", "offset", "ramp", "move"});
+    pair.initialOverlap = overlap == "report" ? InitialOverlap::report
                           : overlap == "ramp" ? InitialOverlap::ramp
                           : overlap == "move" ? InitialOverlap::move
-                                              : InitialOverlap::report;
+                                              : InitialOverlap::offset;
     if (pair.initialOverlap == InitialOverlap::ramp)
         pair.rampTime = entry.number("rampTime", positive());
 }

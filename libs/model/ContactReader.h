@@ -30,7 +30,7 @@ struct PairEntry : ContactLaw {
     ContactSearch search = ContactSearch::faces;
     ContactProjection projection = ContactProjection::tracked;
     int passes = 1;
-    InitialOverlap initialOverlap = InitialOverlap::report;
+    InitialOverlap initialOverlap = InitialOverlap::offset;
     double rampTime = 0;
 };
 

@@ -133,7 +133,7 @@ void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
         place.fail("projection", "the target has no faces to project on", instead);
     if (entry.passes == 2)
         place.fail("passes", "the target has no nodes for a second pass", instead);
-    if (entry.initialOverlap != InitialOverlap::report)
+    if (place.has("initialOverlap") && entry.initialOverlap != InitialOverlap::report)
         place.fail("initialOverlap", "only overlaps with faces can be forgiven or moved", instead);
 }
 
@@ -153,6 +153,7 @@ ContactSurfaces setPair(Mesh& mesh,
         refuseRigidContactor(mesh, surfaces, rigid, place);
         refuseFaceOptions(entry, place);
         reportSurfaceContact(mesh, surfaces, entries.rigidSurfaces[std::size_t(surface)], log);
+        refuseSurfaceOverlap(mesh, surfaces, entries.rigidSurfaces[std::size_t(surface)], place);
         return surfaces;
     }
     surfaces.targetSides = contactSides(mesh, entries, entry, "target", contactDict);

@@ -92,7 +92,8 @@ enum class ContactProjection { tracked, cold };
 /// Two surfaces; one against itself; all bodies against all, themselves included.
 enum class ContactKind { pair, self, general };
 /// What becomes of contactors that lie inside the target before the run: pushed out at the first
-/// step, forgiven for good, forgiven for a while; `move` has moved them already.
+/// step; without force until they have come out, or for a while; `move` has moved them already. An
+/// analytic surface always pushes them out.
 enum class InitialOverlap { report, offset, ramp, move };
 
 /// system/contactDict, one pair; surfaces as in the mesh.
@@ -105,7 +106,7 @@ struct ContactPair : ContactLaw {
     ContactProjection projection = ContactProjection::tracked;
     ContactKind kind = ContactKind::pair;
     int passes = 1; ///< 2: each side is contactor once, with half the stiffness
-    InitialOverlap initialOverlap = InitialOverlap::report;
+    InitialOverlap initialOverlap = InitialOverlap::offset;
     double rampTime = 0; ///< over which `ramp` forgives
     /// Of general contact: parts that have pairs of their own.
     std::vector<std::array<Index, 2>> apart;

@@ -27,6 +27,11 @@ double contactorArea(const Mesh& mesh, const ContactSurfaces& surfaces)
     return sum;
 }
 
+double meanWidth(const Mesh& mesh, const ContactSurfaces& surfaces)
+{
+    return std::sqrt(contactorArea(mesh, surfaces) / double(surfaces.contactorSides.size()));
+}
+
 } // namespace
 
 SurfaceFit measureSurfaceContact(const Mesh& mesh,
@@ -35,8 +40,7 @@ SurfaceFit measureSurfaceContact(const Mesh& mesh,
 {
     SurfaceFit fit;
     fit.smallestGap = std::numeric_limits<double>::infinity();
-    const double touching =
-        1e-6 * std::sqrt(contactorArea(mesh, surfaces) / double(surfaces.contactorSides.size()));
+    const double touching = 1e-6 * meanWidth(mesh, surfaces);
     std::set<Index> facing, inside;
     double sum = 0;
     for (const ElementSide& side : surfaces.contactorSides)
@@ -82,6 +86,24 @@ void reportSurfaceContact(const Mesh& mesh,
                            "node {} {}; they are pushed out at the first step",
                            surfaces.pair, fit.overlaps, surface.name, fit.deepest, fit.deepestNode,
                            pointText(mesh.points[std::size_t(fit.deepestNode)])));
+}
+
+void refuseSurfaceOverlap(const Mesh& mesh,
+                          const ContactSurfaces& surfaces,
+                          const RigidSurface& surface,
+                          const Dictionary& place)
+{
+    if (place.has("initialOverlap") || surfaces.contactorSides.empty()) return;
+    const SurfaceFit fit = measureSurfaceContact(mesh, surfaces, surface);
+    const double most = 0.01 * meanWidth(mesh, surfaces);
+    if (fit.deepest <= most) return;
+    place.fail("target",
+               format("pair {}: {} contactor nodes begin inside the surface {}, deepest {} at node "
+                      "{} {}: the springs would throw the body out",
+                      surfaces.pair, fit.overlaps, surface.name, fit.deepest, fit.deepestNode,
+                      pointText(mesh.points[std::size_t(fit.deepestNode)])),
+               "move the body or the surface apart; or write 'initialOverlap report;' in the pair "
+               "if the first step should push them out");
 }
 
 } // namespace fpm

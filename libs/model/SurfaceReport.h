@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Log.h"
+#include "dictionary/Dictionary.h"
 #include "mesh/Mesh.h"
 #include "model/RigidSurface.h"
 
@@ -23,5 +24,12 @@ void reportSurfaceContact(const Mesh& mesh,
                           const ContactSurfaces& surfaces,
                           const RigidSurface& surface,
                           Log& log);
+
+/// Throws InputError at `place`, the pair, where a contactor begins deeper inside the surface than
+/// a hundredth of a face's width, unless its `initialOverlap report` asks for the push.
+void refuseSurfaceOverlap(const Mesh& mesh,
+                          const ContactSurfaces& surfaces,
+                          const RigidSurface& surface,
+                          const Dictionary& place);
 
 } // namespace fpm

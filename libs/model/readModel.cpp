@@ -14,6 +14,7 @@
 #include "model/PaperAlgorithm.h"
 #include "model/PartReader.h"
 #include "model/RigidContact.h"
+#include "model/SurfaceReport.h"
 
 #include <set>
 
@@ -81,6 +82,8 @@ void readContact(const Case& theCase, Model& model, Log& log)
         if (pair.surface >= 0) {
             pair.kind = ContactKind::pair;
             refuseRigidContactor(model.mesh, surfaces, rigid, place);
+            refuseSurfaceOverlap(model.mesh, surfaces,
+                                 model.rigidSurfaces[std::size_t(pair.surface)], place);
         } else {
             refuseRigidPair(model.mesh, surfaces, rigid, place);
             refuseDeepStart(model.mesh, surfaces, entry.passes, place);

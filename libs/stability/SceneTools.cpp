@@ -50,6 +50,7 @@ ContactPair& addContact(Model& model,
     pair.name = name;
     pair.contactorNodes = nodesOf(model.mesh, contactor);
     pair.targetSides = target;
+    pair.initialOverlap = InitialOverlap::report; // scenes begin pressed together
     model.mesh.contact.push_back({name, pair.contactorNodes, contactor, target});
     model.contactPairs.push_back(pair);
     return model.contactPairs.back();

@@ -24,6 +24,32 @@ def deepStart(binaries, marks):
                 marks.true("and it is held", max(case.contact("p")["active"]) == 16)
 
 
+def overlap(binaries, marks):
+    """Bodies that overlap by an error of the mesh stay at rest; a wall inside a body is refused."""
+    bodies = ("a { type box; origin (0 0 0); size (10 10 2); cells (5 5 1); }"
+              "b { type box; origin (2.5 2.5 1.5); size (4 4 4); cells (3 3 3); }")
+    for option, rests in (("", True), ("initialOverlap report;", False)):
+        with Scene(binaries, end=1e-5, parts=STEEL, bodies=bodies,
+                   pairs=f"p {{ contactor b; target a; {option} }}") as case:
+            case.mesh()
+            output = case.run("fpmExplicit")
+            most = max(case.energies()["kinetic"])
+            marks.true(f"{option or 'default'}: kinetic energy {most:.3g}", (most == 0) == rests)
+            marks.true("how deep", "deepest 0.5" in output)
+    wall = "wall { type plane; point (0 0 0.5); normal (0 0 1); }"
+    for option, code in (("", 3), ("initialOverlap report;", 0)):
+        with Scene(binaries, end=1e-7, parts=elastic("a", 210000, 0.3, 7.85e-9),
+                   bodies="a { type box; origin (0 0 0); size (10 10 2); cells (5 5 1); }",
+                   pairs=f"p {{ contactor a; target wall; {option} }}", surfaces=wall) as case:
+            case.run("fpmMesh")
+            done = case.start("fpmSetContact")
+            marks.true(f"wall, {option or 'default'}: status {done.returncode}",
+                       done.returncode == code)
+            marks.true("says what and what to do", code == 0 or (
+                "36 contactor nodes begin inside the surface wall, deepest 0.5" in done.stdout
+                and "initialOverlap report;" in done.stdout))
+
+
 FOAM = ("a {{ model elastic; density 1e-10; youngsModulus 1; poissonsRatio 0.1; {} }}")
 
 
