@@ -138,7 +138,7 @@ RunForecast forecastRun(Solver& solver,
     out.step = step;
     const double most = maxSteps >= 0 ? double(maxSteps) : 1e300;
     const double intervals = std::ceil(control.endTime / control.writeInterval * (1 - 1e-9));
-    out.ownSteps = std::min(most, std::ceil(control.endTime / step));
+    out.ownSteps = std::min(most, std::ceil(control.endTime / step * (1 - 1e-9)));
     const double stepsAFrame = std::max(1.0, std::ceil(control.writeInterval / step * (1 - 1e-9)));
     out.steps = std::min(most, std::max(out.ownSteps, intervals * stepsAFrame));
     out.frames = 1 + std::min(intervals, std::ceil(out.steps / stepsAFrame));
@@ -157,11 +157,11 @@ RunForecast forecastRun(Solver& solver,
 void reportForecast(const RunForecast& f, double secondsAStep, Log& log)
 {
     log.line(format(
-        "forecast: {} steps of up to {}, {} frames of {}, histories {}: {} on a disk with {} "
+        "forecast: {}{} steps of up to {}, {} frames of {}, histories {}: {} on a disk with {} "
         "free; memory at the peak {}",
-        toText(f.steps, 4), toText(f.step, 4), toText(f.frames, 6), bytesText(f.frameBytes),
-        bytesText(f.historyBytes), bytesText(f.diskBytes()), bytesText(f.freeBytes),
-        bytesText(f.peakBytes)));
+        secondsAStep > 0 ? "" : "at least ", toText(f.steps, 4), toText(f.step, 4),
+        toText(f.frames, 6), bytesText(f.frameBytes), bytesText(f.historyBytes),
+        bytesText(f.diskBytes()), bytesText(f.freeBytes), bytesText(f.peakBytes)));
     const bool costs =
         secondsAStep > 0 ? f.frameSeconds() > secondsAStep * f.ownSteps : f.steps > 2 * f.ownSteps;
     if (f.frames > 100 && (costs || f.steps > 2 * f.ownSteps))

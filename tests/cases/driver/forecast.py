@@ -8,7 +8,7 @@ from driver.scene import Scene, elastic
 
 STEEL = elastic("a", 210000, 0.3, 7.85e-9) + elastic("b", 210000, 0.3, 7.85e-9)
 FORECAST = re.compile(
-    r"^forecast: (?P<steps>\S+) steps of up to (?P<step>\S+), (?P<frames>\d+) frames of (?P<frame>.+), "
+    r"^forecast: (?:at least )?(?P<steps>\S+) steps of up to (?P<step>\S+), (?P<frames>\d+) frames of (?P<frame>.+), "
     r"histories (?P<rows>.+): (?P<disk>.+) on a disk with (?P<free>.+) free; "
     r"memory at the peak (?P<memory>.+)$", re.M)
 
