@@ -189,7 +189,7 @@ static void reportUnmet(const Mesh& mesh, const ContactSurfaces& surfaces, int p
     const ContactFit swapped =
         measureContact(mesh, {surfaces.pair, nodesOf(mesh, surfaces.targetSides),
                               surfaces.targetSides, surfaces.contactorSides});
-    const bool other = swapped.facingNodes > 0 || !swapped.depths.none();
+    const bool other = swapped.facingNodes > 0 || !swapped.depths.held.empty();
     if (other && passes == 2)
         log.line(format("    its second pass meets: {} nodes of the target face the contactor, "
                         "smallest gap {}",
