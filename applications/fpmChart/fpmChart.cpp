@@ -1,5 +1,6 @@
 #include "application/Application.h"
 #include "study/Chart.h"
+#include "study/ChartProposal.h"
 
 /// Charts speed against accuracy of a case: runs it in the variations of system/chartDict.
 int main(int argc, char** argv)
@@ -13,6 +14,7 @@ int main(int argc, char** argv)
                     {"dryRun", "", "List the runs and which are finished, then end"},
                     {"retry", "", "Run failed runs again"}},
         .locksCase = true,
+        .proposal = fpm::proposedChartDict,
     };
     return fpm::runApplication(info, argc, argv, [](fpm::Run& run) {
         const fpm::ChartOptions options{run.has("dryRun"), run.has("retry"),

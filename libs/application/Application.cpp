@@ -66,6 +66,13 @@ void writeDefaults(const ApplicationInfo& info,
         throw Error(ExitCode::dictionary, format("{} exists already", target.string()),
                     "rename or delete it first; -listKeys shows the keys it may hold");
 
+    if (info.proposal && dictionary == info.dictionary
+        && fs::exists(root / "system/controlDict", failure)) {
+        writeFileAtomically(target, info.proposal(Case(root)));
+        return log.line(format("written: {} (proposed for this case; {} -listKeys shows all "
+                               "keywords)",
+                               target.string(), info.name));
+    }
     const auto source = annotatedDictionary(info, dictionary);
     std::ifstream stream(source, std::ios::binary);
     std::ostringstream text;

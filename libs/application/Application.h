@@ -22,6 +22,8 @@ struct ApplicationInfo {
     std::vector<Option> options; ///< beyond the common ones
     bool locksCase = false;      ///< takes the case lock before any file is touched (writers do)
     std::string caseless = "";   ///< the option with which it needs no case, if there is one
+    /// -writeDefaults: its dictionary made for a case; the annotated one where there is none.
+    std::function<std::string(const Case&)> proposal = nullptr;
 };
 
 /// What an application works with: its case, its options, its log.

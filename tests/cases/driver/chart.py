@@ -138,3 +138,31 @@ def tutorials(binaries, marks):
             told = case.run("fpmChart", "-dryRun")
             due = [int(count) for count in re.findall(r"repeats each\), (\d+) to do", told)]
             marks.true(f"{name}: {sum(due)} runs in {len(due)} charts", due and min(due) > 0)
+
+
+def proposed(binaries, marks):
+    """What fpmChart -writeDefaults proposes for a case can be run as it is."""
+    for name in sorted(p.parts[-3] for p in PROJECT.glob("tutorials/*/system/controlDict")):
+        with CaseRun(f"tutorials/{name}", binaries) as case:
+            if (case.root / "makeLayers").exists():
+                subprocess.run([case.root / "makeLayers"], check=True, stdout=subprocess.DEVNULL)
+            chart = case.root / "system/chartDict"
+            chart.unlink(missing_ok=True)
+            case.run("fpmChart", "-writeDefaults")
+            told = case.run("fpmChart", "-dryRun")
+            runs = sum(int(count) for count in re.findall(r"repeats each\), (\d+) to do", told))
+            marks.true(f"{name}: {runs} runs proposed", runs > 4)
+    with bar(binaries) as case:
+        case.replace("system/meshDict", r"cells \(50 1 1\)", "cells (24 1 1)")
+        (case.root / "system/chartDict").unlink()
+        case.run("fpmChart", "-writeDefaults")
+        text = (case.root / "system/chartDict").read_text()
+        marks.true("sizes of this case, coarse to fine", "steps   (4.17 2.08 1.04)" in text)
+        marks.true("its own history and direction", "y           vx;" in text)
+        output = case.run("fpmChart", "-chart", "mesh")
+        marks.true("the proposal runs", output.count("errors against") >= 1 and "End" in output)
+        case.replace("system/controlDict", r"^functions\s*\{[^}]*\}[^}]*\}[^}]*\}[^}]*\}", "")
+        (case.root / "system/chartDict").unlink()
+        wrong = case.start("fpmChart", "-writeDefaults")
+        marks.true("without a history there is nothing to chart",
+                   wrong.returncode == 3 and "no history whose error" in wrong.stdout)
