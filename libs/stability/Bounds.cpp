@@ -1,7 +1,6 @@
 #include "stability/Bounds.h"
 
 #include "mesh/Surface.h"
-#include "solver/Solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,15 +80,20 @@ Model pressed(const Model& given, double depth, double step)
 
 } // namespace
 
+StepClock firstStep(const Model& model)
+{
+    const auto solver = makeSolver(model);
+    solver->start();
+    solver->advance(model.control.endTime, 1);
+    return solver->clock();
+}
+
 Bounds boundsOf(const Model& given)
 {
     Model model = given;
     model.control.fixedTimeStep = 0;
     model.control.beyondBound = false;
-    const auto solver = makeSolver(model);
-    solver->start();
-    solver->advance(model.control.endTime, 1);
-    const StepClock clock = solver->clock();
+    const StepClock clock = firstStep(model);
     Bounds out;
     out.elementStep = clock.elementStep;
     out.withContact = clock.stableStep / clock.elementStep;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "solver/Solver.h"
 #include "stability/Scene.h"
+
+#include <algorithm>
 
 namespace fpm {
 
@@ -10,7 +13,12 @@ struct Bounds {
     double withContact = 1; ///< 2 / sqrt(omega_e^2 + omega_c^2)
     double quality = 0;     ///< omega_c dt <= 0.5: a touch makes no energy; 0: no contact
     double eigenvalue = 0;  ///< 2 / omega_max of all elements and closed springs; 0: not asked for
+    /// What a step must stay below: elements with contact, and quality where there is contact.
+    double both() const { return quality > 0 ? std::min(withContact, quality) : withContact; }
 };
+
+/// The clock after the first step of a model.
+StepClock firstStep(const Model& model);
 
 /// Bounds of the model at its start; springs within reach count before they close.
 Bounds boundsOf(const Model& model);

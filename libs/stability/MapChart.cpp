@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "probe/Svg.h"
+#include "stability/MapReport.h"
 
 #include <algorithm>
 #include <array>
@@ -24,16 +25,20 @@ struct Frame {
     double x(double column) const { return left + column * (right - left) / double(columns()); }
     double y(double row) const { return bottom - row * (bottom - top) / double(rows()); }
 
-    /// Where a value of x lies among the columns, whose centres are its values.
-    double columnOf(double value) const
+    double columnOf(double value) const { return cellOf(map.spec.x, value); }
+    double rowOf(double value) const { return cellOf(map.spec.y, value); }
+
+private:
+    /// Where a value lies among the cells of an axis, whose centres are its values.
+    static double cellOf(const MapAxis& axis, double value)
     {
-        const std::vector<double>& v = map.spec.x.values;
-        const auto place = [&](double at) { return map.spec.x.logarithmic ? std::log(at) : at; };
+        const std::vector<double>& v = axis.values;
+        const auto place = [&](double at) { return axis.logarithmic ? std::log(at) : at; };
         if (v.size() < 2) return 0.5;
         std::size_t i = 0;
         while (i + 2 < v.size() && value > v[i + 1]) ++i;
         const double share = (place(value) - place(v[i])) / (place(v[i + 1]) - place(v[i]));
-        return std::clamp(double(i) + share + 0.5, 0.0, double(columns()));
+        return std::clamp(double(i) + share + 0.5, 0.0, double(v.size()));
     }
 };
 
@@ -89,12 +94,29 @@ void drawAxes(SvgDrawing& svg, const Frame& at)
 
 struct LegendLine {
     BoundOf bound;
-    const char *label, *colour, *dash;
+    std::string label;
+    const char *colour, *dash;
 };
-constexpr std::array<LegendLine, 3> boundLines{
-    {{&Bounds::withContact, "bound from elements and contact", "#111827", "none"},
-     {&Bounds::quality, "omega_c dt = 0.5", "#111827", "6 4"},
-     {&Bounds::eigenvalue, "largest eigenvalue", "#c2185b", "2 3"}}};
+
+/// What fails below its line is not called a bound.
+std::array<LegendLine, 3> boundLines(const StabilityMap& map)
+{
+    std::string contact = "bound from elements and contact";
+    if (const auto onset = onsetOfContact(map); onset && !onset->isBound())
+        contact = format("from elements and contact, fails at {} of it", toText(onset->least, 3));
+    return {{{&Bounds::withContact, contact, "#111827", "none"},
+             {&Bounds::quality, "omega_c dt = 0.5", "#111827", "6 4"},
+             {&Bounds::eigenvalue, "largest eigenvalue", "#c2185b", "2 3"}}};
+}
+
+/// A ring with a dot in it, on any colour.
+void drawOwn(SvgDrawing& svg, const Pixel& at)
+{
+    const std::string centre =
+        format("<circle cx=\"{}\" cy=\"{}\" ", svgNumber(at.x), svgNumber(at.y));
+    svg.element(centre + "r=\"7\" fill=\"#ffffff\" stroke=\"#111827\" stroke-width=\"2\"/>");
+    svg.element(centre + "r=\"2.5\" fill=\"#111827\"/>");
+}
 
 /// Draws the legend and returns where it ends.
 double drawLegend(SvgDrawing& svg, const StabilityMap& map, bool bounds)
@@ -119,7 +141,11 @@ double drawLegend(SvgDrawing& svg, const StabilityMap& map, bool bounds)
     }
     const Pixel dot = place("predicted stable");
     svg.rectangle({dot.x + 5, dot.y - 6}, 4, 4, "fill=\"#374151\"");
-    for (const LegendLine& line : boundLines) {
+    if (map.own) {
+        const Pixel at = place("this case");
+        drawOwn(svg, {at.x + 7, at.y - 4});
+    }
+    for (const LegendLine& line : boundLines(map)) {
         const bool there = std::any_of(map.rows.begin(), map.rows.end(), [&](const auto& row) {
             return row && (*row).*line.bound > 0;
         });
@@ -145,8 +171,10 @@ std::string mapChart(const StabilityMap& map, const std::string& title)
     drawLegend(svg, map, bounds);
     drawCells(svg, frame);
     if (bounds)
-        for (const LegendLine& line : boundLines)
+        for (const LegendLine& line : boundLines(map))
             drawBound(svg, frame, line.bound, line.colour, line.dash);
+    if (map.own)
+        drawOwn(svg, {frame.x(frame.columnOf(map.own->x)), frame.y(frame.rowOf(map.own->y))});
     drawAxes(svg, frame);
     return svg.str();
 }

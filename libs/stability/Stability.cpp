@@ -6,6 +6,7 @@
 #include "model/readModel.h"
 #include "stability/MapChart.h"
 #include "stability/MapFile.h"
+#include "stability/MapReport.h"
 
 #include <algorithm>
 #include <chrono>
@@ -98,16 +99,19 @@ void drawMap(const MapSpec& spec, Run& run, int threads)
         run.log.line(
             format("{}: {} of {} points are there already", spec.name, kept, map.points.size()));
     Progress progress(map, run.log);
-    completeMap(map, sceneOf(spec, run.theCase, run.log), threads, [&] {
+    const Scene scene = sceneOf(spec, run.theCase, run.log);
+    completeMap(map, scene, threads, [&] {
         writeMap(file, map, key);
         progress.tell();
     });
+    map.own = ownPoint(spec, scene);
     run.log.finish();
     const std::string title =
         format("{}: {} over {}", spec.scene, spec.y.parameter, spec.x.parameter);
     writeFileAtomically(folder / (spec.name + ".svg"), mapChart(map, title));
     reportSurprises(map, run.log);
     run.log.line(format("{} ({}): {}", spec.name, title, conclusionOf(map)));
+    if (const std::string own = ownSentence(map); !own.empty()) run.log.line("  " + own);
     run.log.line(format("  postProcessing/stability/{}.dat, {}.svg", spec.name, spec.name));
 }
 

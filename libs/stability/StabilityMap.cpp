@@ -41,6 +41,43 @@ std::size_t StabilityMap::done() const
                                      [](const auto& point) { return point.has_value(); }));
 }
 
+std::optional<double> ownValue(const Model& model, const std::string& name)
+{
+    const auto common = [](const auto& values, auto value) -> std::optional<double> {
+        std::optional<double> found;
+        for (const auto& one : values) {
+            if (found && *found != value(one)) return {};
+            found = value(one);
+        }
+        return found;
+    };
+    if (name == parameter::speed) return 1;
+    if (name == parameter::search) return double(model.control.searchInterval);
+    if (name == parameter::penalty)
+        return common(model.contactPairs, [](const ContactPair& pair) { return pair.normalScale; });
+    if (name == parameter::hourglass) {
+        std::vector<Part> parts = model.parts;
+        std::erase_if(parts, [](const Part& part) { return isRigid(part.kind); });
+        return common(parts, [](const Part& part) { return part.hourglassCoefficient; });
+    }
+    if (name == parameter::timeStep) {
+        const StepClock clock = firstStep(model);
+        return clock.step / clock.elementStep;
+    }
+    return {};
+}
+
+std::optional<OwnPoint> ownPoint(const MapSpec& map, const Scene& scene)
+{
+    if (map.scene != "case") return {};
+    const Trial trial = trialOf(scene, map.fixed);
+    const auto x = ownValue(trial.model, map.x.parameter),
+               y = ownValue(trial.model, map.y.parameter);
+    if (!x || !y) return {};
+    const Bounds bounds = boundsOf(trial.model);
+    return OwnPoint{*x, *y, runPoint(map, scene, bounds, *x, *y), bounds};
+}
+
 Bounds rowBounds(const MapSpec& map, const Scene& scene, double y)
 {
     const Trial trial = trialOf(scene, settingAt(map, map.x.values.front(), y));
@@ -60,8 +97,9 @@ MapPoint runPoint(const MapSpec& map, const Scene& scene, const Bounds& row, dou
     MapPoint point;
     point.result = runTrial(trial, setting, bounds, map.limits);
     const double factor = setting.of(parameter::timeStep, 0);
-    const bool stepHolds =
-        factor <= 0.9 * bounds.withContact && (bounds.quality <= 0 || factor <= bounds.quality);
+    constexpr double rounding = 1 + 1e-9; // the case's own step is one of the two
+    const bool stepHolds = factor <= 0.9 * rounding * bounds.withContact
+                           && (bounds.quality <= 0 || factor <= rounding * bounds.quality);
     point.predictedStable = stepHolds && trial.model.control.searchInterval == 0;
     return point;
 }
@@ -113,36 +151,6 @@ void completeMap(StabilityMap& map,
             map.points[k] = point;
             save();
         });
-}
-
-std::string conclusionOf(const StabilityMap& map)
-{
-    const std::size_t columns = map.spec.x.values.size();
-    std::size_t predicted = 0, lost = 0, failed = 0;
-    std::vector<double> onset; // measured over predicted step, of each row
-    for (std::size_t j = 0; j < map.rows.size(); ++j) {
-        double first = 0;
-        for (std::size_t i = columns; i-- > 0;) {
-            const MapPoint& point = *map.points[j * columns + i];
-            const bool fails = point.result.outcome != Outcome::stable;
-            failed += fails;
-            predicted += point.predictedStable;
-            lost += point.predictedStable && fails;
-            if (fails) first = map.spec.x.values[i];
-        }
-        if (rowsShareBounds(map.spec) && first > 0)
-            onset.push_back(first / map.rows[j]->withContact);
-    }
-    std::string text =
-        format("{} points, {} fail; of {} predicted to be stable {}", map.points.size(), failed,
-               predicted, lost == 0 ? std::string("none does") : format("{} do", lost));
-    if (!onset.empty()) {
-        std::sort(onset.begin(), onset.end());
-        text += format(
-            "; failure begins at {} to {} of the bound from elements and contact, median {}",
-            toText(onset.front(), 3), toText(onset.back(), 3), toText(onset[onset.size() / 2], 3));
-    }
-    return text;
 }
 
 } // namespace fpm

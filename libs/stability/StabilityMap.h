@@ -13,18 +13,29 @@ struct MapPoint {
     bool predictedStable = false; ///< element, contact and energy-quality bounds hold
 };
 
+/// Where the case itself lies on a map of it.
+struct OwnPoint {
+    double x = 0, y = 0;
+    MapPoint point;
+    Bounds bounds;
+};
+
 /// A map: row j, column i at j * x.values.size() + i; empty where a point is not done yet.
 struct StabilityMap {
     MapSpec spec;
     std::vector<std::optional<MapPoint>> points;
     std::vector<std::optional<Bounds>> rows; ///< of each y, at the first x
+    std::optional<OwnPoint> own{};           ///< of a map of a case
 
     std::size_t done() const;
 };
 
-/// One sentence: how many points, whether a predicted-stable one failed, and how far beyond the
-/// prediction failure begins.
-std::string conclusionOf(const StabilityMap& map);
+/// What a map varies of the model itself: its step over that from elements alone, the penalty of
+/// its pairs, ...; nothing where its pairs or parts differ in it.
+std::optional<double> ownValue(const Model& model, const std::string& parameter);
+/// The case as it is, run as one more point; nothing for other scenes, and where no point of the
+/// map stands for it.
+std::optional<OwnPoint> ownPoint(const MapSpec& map, const Scene& scene);
 
 /// Bounds of the scene at row `y`.
 Bounds rowBounds(const MapSpec& map, const Scene& scene, double y);

@@ -11,6 +11,12 @@ import time
 from driver.caseRun import CaseRun
 
 
+OWN = """maps { own { scene case; steps 300; eigenvalue no;
+    x { parameter timeStepFactor; values (0.3 0.6 0.9 1.2 2.5); }
+    y { parameter speed; values (1 2); } } }
+"""
+
+
 def maps(case):
     return sorted((case.root / "postProcessing/stability").glob("*.dat"))
 
@@ -60,8 +66,20 @@ def check(binaries, marks):
         marks.true("more than 200 points", points > 200)
         marks.true("some fail", failed > 20)
         marks.true("none that is predicted to be stable", surprises == 0)
+        marks.true("no bound is called one that fails below itself",
+                   "alone is no safe bound here: first failure at 0.719 of it" in output
+                   and "with omega_c dt <= 0.5 it is one" in output)
         before = [file.read_bytes() for file in maps(case)]
         for file in maps(case):
             file.unlink()
         case.run("fpmStability", "-threads", "1")
         marks.true("the same again on one thread", before == [f.read_bytes() for f in maps(case)])
+    with CaseRun("tutorials/bar", binaries) as case:
+        (case.root / "system/stabilityDict").write_text(OWN)
+        case.mesh()
+        output = case.run("fpmStability")
+        # Without contact: 0.9 of the bound from elements.
+        marks.true("the case is marked on its map, with its margin",
+                   "this case: timeStepFactor 0.9, speed 1: stable; the step that is predicted to "
+                   "be stable is 1, 1.11 times as far; the first failure beside it is at" in output
+                   and ">this case<" in (maps(case)[0].with_suffix(".svg")).read_text())

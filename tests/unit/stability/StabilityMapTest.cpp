@@ -1,5 +1,6 @@
 #include "stability/MapChart.h"
 #include "stability/MapFile.h"
+#include "stability/MapReport.h"
 
 #include <gtest/gtest.h>
 
@@ -122,6 +123,103 @@ TEST(StabilityMap, TellsEachKindOfFailure)
     EXPECT_EQ(outcome("twoBars",
                       {{parameter::gap, 0.6}, {parameter::speed, 50}, {parameter::search, 1000}}),
               Outcome::tunnelled);
+}
+
+/// A map of two rows, steps 0.2, 0.8 and 2.2; what is predicted: 1 and `quality`.
+StabilityMap judgedMap(double quality)
+{
+    MapSpec spec = stepMap();
+    spec.y.values = {1, 10};
+    StabilityMap map = emptyMap(spec);
+    for (auto& point : map.points) point = MapPoint{};
+    for (auto& row : map.rows) row = Bounds{1e-7, 1, quality, 0};
+    map.points[2]->result.outcome = map.points[5]->result.outcome = Outcome::diverged;
+    return map;
+}
+
+TEST(MapReport, CallsABoundWhatNothingFailsBelow)
+{
+    StabilityMap map = judgedMap(0);
+    const std::string text = conclusionOf(map);
+    EXPECT_NE(text.find("failure begins at 2.2 to 2.2 of the bound from elements and contact"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(mapChart(map, "").find(">bound from elements and contact<"), std::string::npos);
+}
+
+TEST(MapReport, CallsNothingABoundThatFailsBelowIt)
+{
+    StabilityMap map = judgedMap(0);
+    map.points[4]->result.outcome = Outcome::energyDrift;
+    EXPECT_NE(conclusionOf(map).find("alone is no safe bound here: first failure at 0.8 of it "
+                                     "(energy drift, normalScale 10)"),
+              std::string::npos)
+        << conclusionOf(map);
+    const std::string svg = mapChart(map, "");
+    EXPECT_NE(svg.find(">from elements and contact, fails at 0.8 of it<"), std::string::npos);
+    EXPECT_EQ(svg.find(">bound from"), std::string::npos);
+
+    map.points[3]->result.outcome = Outcome::penetration; // soft springs, at any step
+    EXPECT_EQ(onsetOfContact(map)->least, 0.8);
+
+    map = judgedMap(0.5);
+    map.points[4]->result.outcome = Outcome::energyDrift;
+    EXPECT_NE(conclusionOf(map).find("; with omega_c dt <= 0.5 it is one: failure begins at 1.6"),
+              std::string::npos)
+        << conclusionOf(map);
+    map.points[3]->result.outcome = Outcome::inverted;
+    EXPECT_NE(conclusionOf(map).find("; nor is it with omega_c dt <= 0.5: first failure at 0.4 of "
+                                     "both (inverted, normalScale 10)"),
+              std::string::npos)
+        << conclusionOf(map);
+}
+
+TEST(MapReport, MarksTheCaseAndTellsItsMargin)
+{
+    StabilityMap map = judgedMap(0.5);
+    EXPECT_EQ(ownSentence(map), "") << "a scene of its own";
+    map.spec.scene = "case";
+    EXPECT_NE(ownSentence(map).find("not on the map"), std::string::npos);
+    EXPECT_EQ(mapChart(map, "").find(">this case<"), std::string::npos);
+    map.own = OwnPoint{0.4, 3, {}, {1e-7, 1, 0.5, 0}};
+    map.points[4]->result.outcome = Outcome::energyDrift;
+    EXPECT_EQ(ownSentence(map),
+              "this case: timeStepFactor 0.4, normalScale 3: stable; the step that is "
+              "predicted to be stable is 0.5, 1.25 times as far; the first failure beside it is at "
+              "timeStepFactor 0.8, "
+              "normalScale 10, 2 times as far");
+    EXPECT_NE(mapChart(map, "").find(">this case<"), std::string::npos);
+    map.own->x = 0.9;
+    EXPECT_NE(ownSentence(map).find("; not safe: timeStepFactor 0.8, normalScale 10 fails already"),
+              std::string::npos)
+        << ownSentence(map);
+    map.own->y = 0.3; // below the lowest row
+    EXPECT_NE(ownSentence(map).find("off the map"), std::string::npos);
+    EXPECT_NE(ownSentence(map).find("at timeStepFactor 2.2, normalScale 1,"), std::string::npos)
+        << ownSentence(map);
+}
+
+TEST(StabilityMap, FindsTheCaseOnItsMap)
+{
+    Trial trial = sceneOf("twoBars").make({});
+    trial.model.contactPairs[0].normalScale = 2;
+    MapSpec spec = stepMap();
+    spec.scene = "case";
+    const auto own = ownPoint(spec, caseScene(trial.model));
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own->y, 2);
+    // The step that fpmExplicit takes: 0.9 of the bound, or omega_c dt = 0.5.
+    EXPECT_NEAR(own->x, std::min(0.9 * own->bounds.withContact, own->bounds.quality), 1e-9);
+    EXPECT_EQ(own->point.result.outcome, Outcome::stable);
+    EXPECT_TRUE(own->point.predictedStable);
+
+    trial.model.contactPairs.push_back(trial.model.contactPairs[0]);
+    trial.model.contactPairs[1].normalScale = 3;
+    EXPECT_FALSE(ownValue(trial.model, parameter::penalty)) << "its pairs differ";
+    EXPECT_EQ(ownValue(trial.model, parameter::search), 0);
+    EXPECT_EQ(ownValue(trial.model, parameter::hourglass),
+              trial.model.parts[0].hourglassCoefficient);
+    EXPECT_FALSE(ownPoint(stepMap(), sceneOf("twoBars"))) << "no case";
 }
 
 TEST(MapChart, ShowsOutcomesAndBounds)
