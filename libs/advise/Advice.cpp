@@ -6,9 +6,9 @@ namespace fpm {
 
 const std::vector<std::string>& adviceKinds()
 {
-    static const std::vector<std::string> kinds{"rigid",    "elastic",   "pairs",
-                                                "friction", "viscosity", "damping",
-                                                "output",   "precision", "symmetry"};
+    static const std::vector<std::string> kinds{"rigid",    "elastic",   "hourglass", "pairs",
+                                                "friction", "viscosity", "damping",   "step",
+                                                "threads",  "output",    "precision", "symmetry"};
     return kinds;
 }
 

@@ -17,10 +17,11 @@ struct Advice {
     std::string subject; ///< "planes x = 0, y = 0", "part rod"
     std::string reason;  ///< what it rests on, with figures
     std::string saving;
-    std::string price;        ///< what error it may bring
-    CaseEdits edits;          ///< of the dictionaries; symmetry cuts the mesh besides
-    bool measureOnly = false; ///< nothing but a comparison can tell whether it holds
-    std::string part = {};    ///< that it is about; of several pieces the first is applied
+    std::string price;         ///< what error it may bring
+    CaseEdits edits;           ///< of the dictionaries; symmetry cuts the mesh besides
+    bool measureOnly = false;  ///< nothing but a comparison can tell whether it holds
+    std::string part = {};     ///< that it is about; of several pieces the first is applied
+    std::string measured = {}; ///< by -measure: the largest difference of all histories
 };
 
 void printAdvice(const std::vector<Advice>& advice, Log& log);

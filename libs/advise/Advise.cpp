@@ -1,5 +1,6 @@
 #include "advise/Advise.h"
 
+#include "advise/CostAdvice.h"
 #include "advise/PilotAdvice.h"
 #include "advise/ReducedCase.h"
 #include "advise/StaticAdvice.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <thread>
 
 namespace fpm {
 
@@ -101,6 +103,12 @@ void advise(Run& run)
     const std::optional<Results> results = findResults(run, model);
     for (Advice& one : results ? pilotAdvice(model, run.theCase, *results) : pairAdvice(model))
         advice.push_back(std::move(one));
+    const auto add = [&](std::optional<Advice> one) {
+        if (one) advice.push_back(std::move(*one));
+    };
+    add(hourglassAdvice(model, results));
+    if (results) add(contactStepAdvice(model, *results));
+    add(threadsAdvice(model, int(std::max(1u, std::thread::hardware_concurrency()))));
     for (Advice& one : outputAdvice(model, run.theCase)) advice.push_back(std::move(one));
     run.log.line();
     printAdvice(advice, run.log);

@@ -152,7 +152,8 @@ void writeReadme(const fs::path& folder,
                "and what must be known to read the results:\n\n",
                original.filename().string(), original.filename().string());
     for (const Advice& one : advice) {
-        text += format("- {}, {}: {}. Price: {}.\n", one.kind, one.subject, one.reason, one.price);
+        text += format("- {}, {}: {}. Price: {}.\n", one.kind, one.subject, one.reason,
+                       one.measured.empty() ? one.price : one.price + "; " + one.measured);
         for (const std::string& note : one.edits.notes) text += format("  - {}.\n", note);
     }
     if (!cutNotes.empty()) text += "- symmetry:\n";

@@ -124,15 +124,29 @@ private:
 
 namespace {
 
-/// What performance.json says of a pair.
-std::optional<double> frictionWorkOf(const std::string& text, const std::string& pair)
+/// What performance.json says of a key, up to one of `ends`; empty where it does not know it.
+std::string valueOf(const std::string& text, const std::string& key, const char* ends)
 {
-    const std::string key = format("\"frictionWork {}\": ", pair);
-    const auto at = text.find(key);
+    const std::string quoted = format("\"{}\": ", key);
+    const auto at = text.find(quoted);
     if (at == text.npos) return {};
-    const auto begin = at + key.size();
-    return readNumber(
-        std::string_view(text).substr(begin, text.find_first_of(",\n", begin) - begin));
+    const auto begin = at + quoted.size();
+    return text.substr(begin, text.find_first_of(ends, begin) - begin);
+}
+
+std::optional<double> numberOf(const std::string& text, const std::string& key)
+{
+    return readNumber(valueOf(text, key, ",\n"));
+}
+
+std::optional<StepFigures> stepsOf(const std::string& text)
+{
+    const auto count = numberOf(text, "steps"), time = numberOf(text, "time"),
+               elementStep = numberOf(text, "elementStep");
+    if (!count || !time || !elementStep) return {};
+    const std::string limit = valueOf(text, "contactLimitedBy", "\n");
+    return StepFigures{*count, *time, *elementStep,
+                       limit.size() > 3 ? limit.substr(1, limit.size() - 3) : ""};
 }
 
 /// The text of performance.json; empty where it is of another run.
@@ -164,7 +178,8 @@ readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log)
     if (results.frames < 2) return {};
     const std::string performance = performanceOf(caseRoot, found.runId(), log);
     for (const ContactPair& pair : model.contactPairs)
-        results.frictionWork.push_back(frictionWorkOf(performance, pair.name));
+        results.frictionWork.push_back(numberOf(performance, "frictionWork " + pair.name));
+    results.steps = stepsOf(performance);
     for (const History& history : model.control.histories) {
         const auto file = caseRoot / "postProcessing" / history.name / "0/energies.dat";
         if (history.kind != History::Kind::energies || !std::filesystem::exists(file)) continue;

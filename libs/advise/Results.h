@@ -17,6 +17,13 @@ struct PartExtremes {
     double deviation = 0;    ///< from the best rigid motion, root mean square [length]
 };
 
+/// Steps of a run, and what bounded the last one.
+struct StepFigures {
+    double count = 0, time = 0; ///< made until then
+    double elementStep = 0;     ///< bound of the elements alone, at the end
+    std::string limit;          ///< the pair and node whose springs did; empty: the elements
+};
+
 /// What the frames and histories of a finished or pilot run tell.
 struct Results {
     double lastTime = 0, longestStep = 0; ///< of the frames
@@ -28,6 +35,7 @@ struct Results {
     std::optional<Table> energies;
     /// Of each contact pair, dissipated by friction; nothing where the run did not tell it.
     std::vector<std::optional<double>> frictionWork;
+    std::optional<StepFigures> steps; ///< nothing where the run did not tell them
 };
 
 /// Of the run that `status` names; the log tells what is left out. Nothing where that run has fewer

@@ -147,6 +147,8 @@ std::optional<Advice> symmetryAdvice(const Model& model, Log& log)
     std::string planes;
     for (const MirrorPlane& plane : finding.planes)
         planes += (planes.empty() ? "" : ", ") + plane.text();
+    const bool slides = std::any_of(model.contactPairs.begin(), model.contactPairs.end(),
+                                    [](const ContactPair& pair) { return pair.friction > 0; });
     const std::size_t left = finding.elements / std::size_t(finding.factor());
     return Advice{
         "symmetry",
@@ -156,8 +158,11 @@ std::optional<Advice> symmetryAdvice(const Model& model, Log& log)
         "to 1e-9",
         format("{} % of the element-steps ({} of {} elements are left)",
                toText(100.0 * (1 - 1.0 / finding.factor()), 3), left, finding.elements),
-        "rounding only, unless the whole would leave its symmetry (buckling); resultants are those "
-        "of the part that is kept",
+        std::string("the two are not the same run: where the whole leaves its symmetry (buckling, "
+                    "loose layers")
+            + (slides ? ", friction that slips on one side first" : "")
+            + "), they part; -measure tells by how much; resultants are those of the part that is "
+              "kept",
         {},
         false};
 }

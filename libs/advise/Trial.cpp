@@ -120,6 +120,15 @@ std::vector<ColumnError> errorsOf(const Model& model,
     return errors;
 }
 
+std::string largestOf(const std::vector<ColumnError>& errors)
+{
+    const auto most =
+        std::max_element(errors.begin(), errors.end(),
+                         [](const auto& a, const auto& b) { return a.error < b.error; });
+    if (most == errors.end()) return "no history to compare";
+    return format("no history differs by more than {} ({})", toText(most->error, 2), most->name);
+}
+
 void report(const Advice& advice,
             const RunRow& whole,
             const RunRow& reduced,
@@ -134,8 +143,9 @@ void report(const Advice& advice,
                toText(reduced.wall, 3)));
     log.line(format("     element-steps {} -> {}", toText(whole.elements * whole.steps, 4),
                     toText(reduced.elements * reduced.steps, 4)));
+    log.line("     " + advice.measured);
     for (const ColumnError& error : errors)
-        log.line(format("     {} error {}", error.name, toText(error.error, 3)));
+        log.line(format("     {} differs by {}", error.name, toText(error.error, 3)));
 }
 
 } // namespace
@@ -162,10 +172,7 @@ Results pilotRun(const Case& theCase, const Model& model, double share, Log& log
     return *results;
 }
 
-void measureAdvice(const Case& theCase,
-                   const Model& model,
-                   const std::vector<Advice>& advice,
-                   Log& log)
+void measureAdvice(const Case& theCase, const Model& model, std::vector<Advice>& advice, Log& log)
 {
     const Interrupt interrupt;
     const Workshop shop;
@@ -179,7 +186,9 @@ void measureAdvice(const Case& theCase,
         writeReducedCase(theCase, {advice[i]}, cut, folder, quiet);
         const RunRow reduced = runWhole(folder, format("the case with '{}'", advice[i].subject));
         const SymmetryFinding finding = cut ? symmetryFinding(model) : SymmetryFinding{};
-        report(advice[i], whole, reduced, errorsOf(model, shop.at("whole"), folder, finding), log);
+        const auto errors = errorsOf(model, shop.at("whole"), folder, finding);
+        advice[i].measured = "measured: " + largestOf(errors);
+        report(advice[i], whole, reduced, errors, log);
     }
 }
 

@@ -12,11 +12,9 @@ namespace fpm {
 Results pilotRun(const Case& theCase, const Model& model, double share, Log& log);
 
 /// Runs the case as it is and with each piece of advice, in copies that are removed again; prints
-/// time and the error of every column of every history, relative L2. Columns that a cut leaves
-/// without meaning (across the planes) are left out, resultants are multiplied.
-void measureAdvice(const Case& theCase,
-                   const Model& model,
-                   const std::vector<Advice>& advice,
-                   Log& log);
+/// time and the difference of every column of every history, relative L2. Columns that a cut leaves
+/// without meaning (across the planes) are left out, resultants are multiplied. The largest is
+/// noted in `advice`.
+void measureAdvice(const Case& theCase, const Model& model, std::vector<Advice>& advice, Log& log);
 
 } // namespace fpm

@@ -34,9 +34,9 @@ class IdleCores
 public:
     /// `most`: threads at most.
     explicit IdleCores(int most);
-    /// Now. Looks four times a second, else returns what it found last.
+    /// Now. Reads the load four times a second, else returns what it found last.
     int threads();
-    /// Average since it was made.
+    /// Mean since it was made.
     double mean() const { return seconds_ > 0 ? threadSeconds_ / seconds_ : threads_; }
 
 private:
@@ -45,7 +45,7 @@ private:
     int most_, threads_ = 1;
     std::vector<int> cores_;
     Clock::time_point last_;
-    double ticks_, processor_; ///< at the last look
+    double ticks_, processor_; ///< at the last reading
     double seconds_ = 0, threadSeconds_ = 0;
 };
 

@@ -170,9 +170,9 @@ private:
             return text + "the only run with a result is the reference itself, "
                    + label(std::size_t(itself - result_.isReference.begin()));
         }
-        const auto told = format("{}: {} at {}", label(*best), percent(error(*best)),
-                                 costOf(chart_, cost(*best)));
-        if (!holds(*best)) return text + "the best is " + told + against();
+        const auto figures = format("{}: {} at {}", label(*best), percent(error(*best)),
+                                    costOf(chart_, cost(*best)));
+        if (!holds(*best)) return text + "the best is " + figures + against();
         const auto finer = finerThan(*best);
         const auto beyond =
             *std::find_if(finer.begin(), finer.end(), [&](std::size_t r) { return !holds(r); });
@@ -181,7 +181,7 @@ private:
                                                    label(beyond), percent(error(beyond)))
                                           : format("but the finer {} has no result ({})",
                                                    label(beyond), causeOf(rungs_[beyond].state));
-        return text + told + ", " + why + against();
+        return text + figures + ", " + why + against();
     }
 
     const ChartSpec& chart_;

@@ -149,8 +149,8 @@ def proposed(binaries, marks):
             chart = case.root / "system/chartDict"
             chart.unlink(missing_ok=True)
             case.run("fpmChart", "-writeDefaults")
-            told = case.run("fpmChart", "-dryRun")
-            runs = sum(int(count) for count in re.findall(r"repeats each\), (\d+) to do", told))
+            listed = case.run("fpmChart", "-dryRun")
+            runs = sum(int(count) for count in re.findall(r"repeats each\), (\d+) to do", listed))
             marks.true(f"{name}: {runs} runs proposed", runs > 4)
     with bar(binaries) as case:
         case.replace("system/meshDict", r"cells \(50 1 1\)", "cells (24 1 1)")
