@@ -66,6 +66,55 @@ double metresPerSecond(const std::array<std::string, 3>& units)
     return factorOf(lengthUnits, units[0]) / factorOf(timeUnits, units[2]);
 }
 
+namespace {
+
+/// "kN" of 1e3 newton; empty where no prefix says it.
+std::string prefixed(double inSi, const std::string& unit)
+{
+    constexpr std::array<std::pair<const char*, double>, 6> prefixes{
+        {{"u", 1e-6}, {"m", 1e-3}, {"", 1}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}}};
+    for (const auto& [prefix, factor] : prefixes)
+        if (std::abs(inSi / factor - 1) < 1e-9) return prefix + unit;
+    return "";
+}
+
+} // namespace
+
+std::string unitOf(Quantity quantity, const std::array<std::string, 3>& units)
+{
+    const auto& [length, mass, time] = units;
+    const double metre = factorOf(lengthUnits, length), speed = metresPerSecond(units),
+                 newton = factorOf(massUnits, mass) * speed / factorOf(timeUnits, time);
+    switch (quantity) {
+    case Quantity::none:
+        break;
+    case Quantity::time:
+        return time;
+    case Quantity::length:
+        return length;
+    case Quantity::velocity:
+        return format("{}/{}", length, time);
+    case Quantity::acceleration:
+        return format("{}/{}^2", length, time);
+    case Quantity::spin:
+        return format("rad/{}", time);
+    case Quantity::force: {
+        const std::string name = prefixed(newton, "N");
+        return name.empty() ? format("{}*{}/{}^2", mass, length, time) : name;
+    }
+    case Quantity::moment: {
+        const std::string name = prefixed(newton, "N");
+        return name.empty() ? format("{}*{}^2/{}^2", mass, length, time)
+                            : format("{}*{}", name, length);
+    }
+    case Quantity::energy: {
+        const std::string name = prefixed(newton * metre, "J");
+        return name.empty() ? format("{}*{}^2/{}^2", mass, length, time) : name;
+    }
+    }
+    return "-";
+}
+
 double waveSpeed(const Part& part)
 {
     const double nu = part.poissonsRatio;

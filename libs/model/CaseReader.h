@@ -16,6 +16,11 @@ CaseProperties readCaseProperties(const Dictionary& dictionary);
 /// Metres in one of the case's length units divided by seconds in one of its time units.
 double metresPerSecond(const std::array<std::string, 3>& units);
 
+/// What a column of a table is measured in.
+enum class Quantity { none, time, length, velocity, acceleration, force, moment, energy, spin };
+/// Its unit in the case's: "mm/s", "N", "mJ"; "-" without, "tonne*mm/s^2" where it has no name.
+std::string unitOf(Quantity quantity, const std::array<std::string, 3>& units);
+
 /// Speed of compression waves, sqrt((lambda + 2 mu) / rho) [length/time].
 double waveSpeed(const Part& part);
 

@@ -33,6 +33,21 @@ TEST(CaseReader, ReadsTitleAndUnits)
     EXPECT_DOUBLE_EQ(metresPerSecond(properties.units), 1000);
 }
 
+TEST(CaseReader, NamesTheUnitsOfWhatTablesHold)
+{
+    const std::array<std::string, 3> engineer{"mm", "tonne", "s"}, fast{"mm", "kg", "ms"},
+        imperial{"inch", "slinch", "s"};
+    EXPECT_EQ(unitOf(Quantity::force, engineer), "N");
+    EXPECT_EQ(unitOf(Quantity::energy, engineer), "mJ");
+    EXPECT_EQ(unitOf(Quantity::moment, engineer), "N*mm");
+    EXPECT_EQ(unitOf(Quantity::acceleration, engineer), "mm/s^2");
+    EXPECT_EQ(unitOf(Quantity::spin, fast), "rad/ms");
+    EXPECT_EQ(unitOf(Quantity::force, fast), "kN");
+    EXPECT_EQ(unitOf(Quantity::energy, fast), "J");
+    EXPECT_EQ(unitOf(Quantity::force, imperial), "slinch*inch/s^2");
+    EXPECT_EQ(unitOf(Quantity::none, imperial), "-");
+}
+
 TEST(CaseReader, RefusesAUnitItDoesNotKnow)
 {
     EXPECT_TRUE(contains(refusal([] {
