@@ -43,6 +43,7 @@ int main(int argc, char** argv)
          {"simd", "<word>", "auto, scalar, avx2 or avx512"},
          {"precision", "<word>", "double, mixed or single"},
          {"maxSteps", "<n>", "end after n steps"},
+         {"strict", "", "end with code 11 where the run finds fault with itself"},
          {"dryRun", "", "say what would run and how long, then end"}},
         true};
     return fpm::runApplication(info, argc, argv, [](fpm::Run& run) {

@@ -64,7 +64,7 @@ std::string RunStatus::text() const
 {
     return format("state {};\nrunId \"{}\";\ntime {};\nsteps {};\nwallSeconds {};\n", nameOf(state),
                   runId, toText(time), steps, wallSeconds)
-           + format("pid {};\nhost \"{}\";\nstarted \"{}\";\n", process, host, started);
+           + format("pid {};\nhost \"{}\";\nstarted \"{}\";\n", process, host, started) + more;
 }
 
 std::optional<RunStatus> readStatus(const std::filesystem::path& caseRoot)

@@ -19,6 +19,7 @@ struct RunStatus {
     double wallSeconds = 0;
     int process = 0;
     std::string host, started; ///< UTC, "2025-01-31T12:00:00Z"
+    std::string more;          ///< further entries, written only
 
     std::string text() const;
 };

@@ -17,6 +17,7 @@ enum class ExitCode {
     device = 8,
     deviceLost = 9,
     numericalStop = 10,
+    unhealthy = 11, ///< fpmExplicit -strict: finished, but a verdict on the run is bad
     memory = 12,
     internal = 70,
     stopped = 75

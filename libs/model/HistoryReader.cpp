@@ -125,6 +125,16 @@ void readBody(const Dictionary& entry, const Model& model, History& history)
                    "a reaction or a point tells how other parts move");
 }
 
+/// The ledger is kept without being asked for.
+void addEnergies(std::vector<History>& histories)
+{
+    History energies;
+    energies.name = "energies";
+    for (const History& history : histories)
+        if (history.kind == energies.kind || history.name == energies.name) return;
+    histories.push_back(energies);
+}
+
 } // namespace
 
 std::vector<History> readHistories(const Dictionary& dictionary, const Model& model, Log& log)
@@ -154,6 +164,7 @@ std::vector<History> readHistories(const Dictionary& dictionary, const Model& mo
         }
         histories.push_back(history);
     }
+    addEnergies(histories);
     return histories;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/contact/PairSums.h"
+#include "kernels/contact/PairTouch.h"
 #include "kernels/contact/Search.h"
 #include "kernels/contact/Travel.h"
 #include "parallel/Array.h"

@@ -1,7 +1,6 @@
 #include "solver/ContactWatch.h"
 
 #include "base/Format.h"
-#include "model/EdgeCrossing.h"
 
 namespace fpm {
 
@@ -48,43 +47,6 @@ void reportContact(Solver& solver, const Model& model, Log& log)
             log.line(format("pair {}: {} times a search found a nearer face than the one a "
                             "contactor in touch had followed",
                             name, force.mistaken));
-    }
-}
-
-/// Sides whose elements are not deleted; `deleted` is empty where none can be.
-static std::vector<ElementSide> living(std::vector<ElementSide> sides,
-                                       const std::vector<bool>& deleted)
-{
-    if (!deleted.empty())
-        std::erase_if(sides, [&](const ElementSide& s) { return deleted[std::size_t(s.element)]; });
-    return sides;
-}
-
-void watchEdges(Solver& solver, const Model& model, std::vector<bool>& warned, Log& log)
-{
-    warned.resize(model.contactPairs.size());
-    std::vector<Point> points;
-    std::vector<bool> deleted;
-    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-        if (warned[pair] || model.contactPairs[pair].kind != ContactKind::pair) continue;
-        if (points.empty()) {
-            const NodeValues values = solver.nodeValues({});
-            for (std::size_t i = 0; i < values.count; ++i) points.push_back(values.at(0, i));
-            if (solver.data().erodes) deleted = solver.elementValues().deleted;
-        }
-        for (const ContactSurfaces& surfaces : model.mesh.contact) {
-            if (surfaces.pair != model.contactPairs[pair].name) continue;
-            const EdgeCrossings found =
-                edgeCrossings(model.mesh, points, living(surfaces.contactorSides, deleted),
-                              living(surfaces.targetSides, deleted));
-            if (found.count == 0) continue;
-            warned[pair] = true;
-            log.warning(format("pair {}: at time {} {} edges pass through the other surface "
-                               "between their nodes, first at ({} {} {}): node-to-face contact "
-                               "does not see them",
-                               surfaces.pair, solver.clock().time, found.count, found.place[0],
-                               found.place[1], found.place[2]));
-        }
     }
 }
 

@@ -40,6 +40,7 @@ public:
     Energies energies() override;
     NodalWorks nodalWorks() override;
     PairForce pairForce(std::size_t pair) override;
+    PairTouch pairTouch(std::size_t pair) override;
     BodyMotionValues bodyMotion(std::size_t body) override;
     ContactBound contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
@@ -98,6 +99,7 @@ private:
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
     std::array<double, pairSums> sumsOf(std::size_t pass);
+    std::vector<double> touchOf(std::size_t pass);
 
     SolverData data_;
     double massDamping_;
@@ -114,6 +116,7 @@ private:
     /// When faces are searched: never, as lists last, every so many steps, or at each.
     enum class Searching { never, lists, interval, everyStep } searching_ = Searching::never;
     double startEnergy_ = 0;
+    double largestEnergy_; ///< so far, and what rounding explains
     std::size_t elementScratch_;
     std::unique_ptr<Erosion> erosion_; ///< null unless deletions change contact surfaces
     std::int64_t searchInterval_ = 0, nextSearch_ = 0; ///< where it is given
@@ -137,6 +140,7 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
       overlaps_(model.contactPairs.size()),
       elementScratch_(fpm::elementScratch<Work>(data_.maxPatchNodes))
 {
+    largestEnergy_ = roundingEnergy(model);
     ledger_ =
         audit || !data_.conditions.empty() || massDamping_ > 0 || data_.relaxation.tolerance > 0;
     rules_.safety = model.control.timeStepSafety;

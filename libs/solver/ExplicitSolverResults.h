@@ -57,11 +57,20 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     const auto [kinetic, closing] = kineticEnergy();
     out.kinetic = kinetic;
     const std::vector<double> patches = state_.patchEnergy.toHost();
-    for (std::size_t i = 0; i < patches.size(); i += elementEnergies) {
-        out.internal += patches[i];
-        out.plastic += patches[i + 1];
-        out.hourglass += patches[i + 2];
-        out.bulkViscosity += patches[i + 3];
+    out.parts.resize(data_.materials.size());
+    for (std::size_t patch = 0; patch < data_.patches.size(); ++patch) {
+        const double* sums = patches.data() + elementEnergies * patch;
+        const std::size_t part = std::size_t(data_.patches[patch].material);
+        PartEnergies& of = out.parts[part];
+        of.internal += sums[0];
+        of.plastic += sums[1];
+        of.hourglass += sums[2];
+        out.bulkViscosity += sums[3];
+    }
+    for (const PartEnergies& part : out.parts) {
+        out.internal += part.internal;
+        out.plastic += part.plastic;
+        out.hourglass += part.hourglass;
     }
     out.contact = lost_.contact;
     out.friction = lost_.friction;
@@ -87,9 +96,11 @@ Energies ExplicitSolver<Precision, Executor>::energies()
                 + out.friction + out.contactDamping + out.damping;
     // A body that friction has brought to rest is judged by the energy it came with.
     const double lost = out.friction + out.contactDamping + out.damping;
-    const double scale =
-        std::max({out.kinetic, out.internal, std::abs(out.external), lost, startEnergy_});
-    out.balance = scale > 0 ? (out.total - out.external - startEnergy_) / scale : 0;
+    largestEnergy_ = std::max(
+        {largestEnergy_, out.kinetic, out.internal, std::abs(out.external), lost, startEnergy_});
+    out.error = out.total - out.external - startEnergy_;
+    out.scale = largestEnergy_;
+    out.balance = out.scale > 0 ? out.error / out.scale : 0;
     return out;
 }
 
@@ -143,6 +154,59 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
         out.crowded += counts[countCrowded];
         out.late += counts[countLate];
     }
+    return out;
+}
+
+/// [block][touchValues]
+template <class Precision, class Executor>
+std::vector<double> ExplicitSolver<Precision, Executor>::touchOf(std::size_t pass)
+{
+    using Faces = TouchSums<FaceTouch<Precision>>;
+    using Surface = TouchSums<SurfaceTouch<Precision>>;
+    const Index count = Index(state_.pairs[pass].contactor.size()),
+                blocks = NodeBlocks::blocks(count);
+    Array<double, Executor> out(std::size_t(blocks) * touchValues);
+    if (data_.pairs[pass].surface >= 0)
+        executor_.parallelBlocks(blocks, Surface::scratch(),
+                                 Surface{count, {surfaceForce(pass)}, out.data()});
+    else
+        executor_.parallelBlocks(blocks, Faces::scratch(),
+                                 Faces{count, {pairView(pass)}, out.data()});
+    executor_.synchronize();
+    return out.toHost();
+}
+
+template <class Precision, class Executor>
+PairTouch ExplicitSolver<Precision, Executor>::pairTouch(std::size_t number)
+{
+    executor_.synchronize();
+    PairTouch out;
+    double weight = 0;
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        if (data_.pairs[pass].pair != number) continue;
+        const double sign = data_.pairs[pass].reversed ? -1 : 1;
+        const std::vector<double> blocks = touchOf(pass);
+        for (const double* of = blocks.data(); of < blocks.data() + blocks.size();
+             of += touchValues) {
+            out.active += Index(of[touchCount]);
+            weight += of[touchWeight];
+            out.meanDepth += of[touchDepth];
+            out.normal += of[touchNormal];
+            out.speed += of[touchSpeed];
+            for (std::size_t c = 0; c < 3; ++c) {
+                out.friction[c] += sign * of[touchFriction + c];
+                out.slip[c] += sign * of[touchSlip + c];
+            }
+            if (!(of[touchDeepest] > out.maxDepth)) continue;
+            out.maxDepth = of[touchDeepest];
+            out.thickness = of[touchThickness];
+            out.deepest = data_.pairs[pass].contactor[std::size_t(of[touchContactor])];
+        }
+    }
+    const double share = weight > 0 ? 1 / weight : 0;
+    out.meanDepth *= share;
+    out.speed *= share;
+    for (double& v : out.slip) v *= share;
     return out;
 }
 

@@ -2,35 +2,81 @@
 
 #include "io/RunMark.h"
 #include "mesh/Vector.h"
+#include "model/CaseReader.h"
 #include "solver/PenaltyData.h"
 
 #include <algorithm>
 
 namespace fpm {
 
-std::vector<std::string> energyColumns()
+namespace {
+
+/// A column of a history and what it is measured in.
+struct Column {
+    std::string name;
+    Quantity quantity;
+};
+
+void addVector(std::vector<Column>& columns, const std::string& letter, Quantity quantity)
 {
-    return {"time",          "kinetic", "internal", "plastic",        "hourglass",
-            "bulkViscosity", "contact", "friction", "contactDamping", "damping",
-            "external",      "total",   "balance",  "kineticShare"};
+    for (const char* axis : {"x", "y", "z"}) columns.push_back({letter + axis, quantity});
 }
 
-std::vector<std::string> rigidBodyColumns()
+std::vector<Column> energyColumns()
 {
-    std::vector<std::string> columns{"time"};
-    for (const char* quantity : {"u", "v", "w", "bodyW", "f", "m"})
-        for (const char* axis : {"x", "y", "z"}) columns.push_back(std::string(quantity) + axis);
+    std::vector<Column> columns{{"time", Quantity::time}};
+    for (const char* name :
+         {"kinetic", "internal", "plastic", "hourglass", "bulkViscosity", "contact", "friction",
+          "contactDamping", "damping", "external", "total"})
+        columns.push_back({name, Quantity::energy});
+    columns.push_back({"balance", Quantity::none});
+    columns.push_back({"kineticShare", Quantity::none});
     return columns;
 }
 
-namespace {
-
-/// Quantity of NodeValues and the letter of its components: "displacement" -> 0, "u".
-std::pair<int, std::string> fieldQuantity(const std::string& field)
+std::vector<Column> contactColumns()
 {
-    if (field == "velocity") return {1, "v"};
-    if (field == "acceleration") return {2, "a"};
-    return {0, "u"};
+    std::vector<Column> columns{{"time", Quantity::time}};
+    addVector(columns, "f", Quantity::force);
+    columns.push_back({"active", Quantity::none});
+    columns.push_back({"maxDepth", Quantity::length});
+    columns.push_back({"meanDepth", Quantity::length});
+    return columns;
+}
+
+/// Displacement and velocity of the centre, angular velocity in global axes and in axes that turn
+/// with the body, force and moment of contact and loads.
+std::vector<Column> rigidBodyColumns()
+{
+    std::vector<Column> columns{{"time", Quantity::time}};
+    addVector(columns, "u", Quantity::length);
+    addVector(columns, "v", Quantity::velocity);
+    addVector(columns, "w", Quantity::spin);
+    addVector(columns, "bodyW", Quantity::spin);
+    addVector(columns, "f", Quantity::force);
+    addVector(columns, "m", Quantity::moment);
+    return columns;
+}
+
+/// A field of a point: number in NodeValues, the letter of its components, what it is.
+struct PointField {
+    int number;
+    std::string letter;
+    Quantity quantity;
+};
+
+PointField fieldQuantity(const std::string& field)
+{
+    if (field == "velocity") return {1, "v", Quantity::velocity};
+    if (field == "acceleration") return {2, "a", Quantity::acceleration};
+    return {0, "u", Quantity::length};
+}
+
+std::vector<Column> pointColumns(const PointField& field)
+{
+    std::vector<Column> columns{{"time", Quantity::time}};
+    addVector(columns, field.letter, field.quantity);
+    return columns;
 }
 
 /// What moves the condition or surface of a reaction; value 0 where it is held.
@@ -53,28 +99,35 @@ Histories::Histories(const std::filesystem::path& caseRoot,
     for (const History& history : model.control.histories) {
         Channel channel{&history, {}, {}, {}};
         const std::string folder = "postProcessing/" + history.name + "/0/";
-        const auto add = [&](const std::string& name, const std::vector<std::string>& columns) {
+        const auto add = [&](const std::string& name, const std::vector<Column>& columns) {
             const std::string file = folder + name + ".dat";
-            std::vector<std::string> notes;
+            std::vector<std::string> names, notes;
             if (!runId.empty()) notes.push_back(RunMark{runId, file}.text());
-            channel.files.push_back(std::make_unique<HistoryFile>(caseRoot / file, columns, notes));
+            std::string units = "unit"; // one a column
+            for (const Column& column : columns) {
+                names.push_back(column.name);
+                units += " " + unitOf(column.quantity, model.units);
+            }
+            notes.push_back(units);
+            channel.files.push_back(std::make_unique<HistoryFile>(caseRoot / file, names, notes));
         };
         switch (history.kind) {
         case History::Kind::energies:
             add("energies", energyColumns());
             break;
         case History::Kind::contactForces:
-            for (const ContactPair& pair : model.contactPairs)
-                add(pair.name, {"time", "fx", "fy", "fz", "active"});
+            for (const ContactPair& pair : model.contactPairs) add(pair.name, contactColumns());
             break;
         case History::Kind::point:
-            for (const std::string& field : history.fields) {
-                const std::string c = fieldQuantity(field).second;
-                add(field, {"time", c + "x", c + "y", c + "z"});
-            }
+            for (const std::string& field : history.fields)
+                add(field, pointColumns(fieldQuantity(field)));
             break;
         case History::Kind::reaction:
-            add("reaction", {"time", "travel", "fx", "fy", "fz"});
+            add("reaction", {{"time", Quantity::time},
+                             {"travel", Quantity::length},
+                             {"fx", Quantity::force},
+                             {"fy", Quantity::force},
+                             {"fz", Quantity::force}});
             channel.drive = driveOf(history, model, channel.driveRows);
             break;
         case History::Kind::rigidBody:
@@ -85,8 +138,9 @@ Histories::Histories(const std::filesystem::path& caseRoot,
     }
 }
 
-void Histories::sample(Solver& solver, const Energies& e)
+void Histories::sample(Solver& solver, const Sample& row)
 {
+    const Energies& e = row.energies;
     for (Channel& channel : channels_) switch (channel.history->kind) {
         case History::Kind::energies:
             channel.files[0]->append({e.time, e.kinetic, e.internal, e.plastic, e.hourglass,
@@ -94,7 +148,7 @@ void Histories::sample(Solver& solver, const Energies& e)
                                       e.damping, e.external, e.total, e.balance, e.kineticShare()});
             break;
         case History::Kind::contactForces:
-            sampleContact(channel, solver, e.time);
+            sampleContact(channel, solver, row);
             break;
         case History::Kind::point:
             samplePoint(channel, solver, e.time);
@@ -113,7 +167,7 @@ void Histories::samplePoint(Channel& channel, Solver& solver, double time)
     const NodeValues values = solver.nodeValues({channel.history->node});
     const Point& start = model_.mesh.points[std::size_t(channel.history->node)];
     for (std::size_t i = 0; i < channel.files.size(); ++i) {
-        const int quantity = fieldQuantity(channel.history->fields[i]).first;
+        const int quantity = fieldQuantity(channel.history->fields[i]).number;
         Point value = values.at(quantity, 0);
         if (quantity == 0)
             for (std::size_t c = 0; c < 3; ++c) value[c] -= start[c];
@@ -158,12 +212,14 @@ void Histories::sampleBody(Channel& channel, Solver& solver, double time)
     channel.files[0]->append(row);
 }
 
-void Histories::sampleContact(Channel& channel, Solver& solver, double time)
+void Histories::sampleContact(Channel& channel, Solver& solver, const Sample& row)
 {
     for (std::size_t pair = 0; pair < channel.files.size(); ++pair) {
         const PairForce force = solver.pairForce(pair);
-        channel.files[pair]->append(
-            {time, force.force[0], force.force[1], force.force[2], double(force.active)});
+        const PairTouch& touch = row.pairs[pair];
+        channel.files[pair]->append({row.energies.time, force.force[0], force.force[1],
+                                     force.force[2], double(force.active), touch.maxDepth,
+                                     touch.meanDepth});
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/Table.h"
-#include "solver/Solver.h"
+#include "solver/Sample.h"
 
 #include <filesystem>
 #include <memory>
@@ -17,8 +17,8 @@ public:
     Histories(const std::filesystem::path& caseRoot,
               const Model& model,
               const std::string& runId = "");
-    /// Appends one row to every file; `energies` belong to the solver's present time.
-    void sample(Solver& solver, const Energies& energies);
+    /// Appends one row to every file; `row` belongs to the solver's present time.
+    void sample(Solver& solver, const Sample& row);
 
 private:
     struct Channel {
@@ -30,17 +30,10 @@ private:
     void samplePoint(Channel& channel, Solver& solver, double time);
     void sampleReaction(Channel& channel, Solver& solver, double time);
     void sampleBody(Channel& channel, Solver& solver, double time);
-    void sampleContact(Channel& channel, Solver& solver, double time);
+    void sampleContact(Channel& channel, Solver& solver, const Sample& row);
 
     const Model& model_;
     std::vector<Channel> channels_;
 };
-
-/// Column names of rigidBody.dat: displacement and velocity of the centre, angular velocity in
-/// global axes and in axes that turn with the body, force and moment of contact and loads.
-std::vector<std::string> rigidBodyColumns();
-
-/// Column names of energies.dat.
-std::vector<std::string> energyColumns();
 
 } // namespace fpm

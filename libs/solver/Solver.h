@@ -10,10 +10,21 @@
 
 namespace fpm {
 
+/// What the elements of one part hold and have dissipated; see Energies.
+struct PartEnergies {
+    double internal = 0, plastic = 0, hourglass = 0;
+};
+
 /// The ledger at one time: work and energy in the case's units.
 struct Energies {
     double time = 0;
-    double kinetic = 0, internal = 0, plastic = 0, hourglass = 0, bulkViscosity = 0;
+    double kinetic = 0;
+    double internal = 0;  ///< elastic and plastic work of the elements; that of their bending too,
+                          ///< where the form of hourglass control is `physical`
+    double plastic = 0;   ///< of internal: plastic work
+    double hourglass = 0; ///< of spurious modes
+    double bulkViscosity = 0;
+    std::vector<PartEnergies> parts; ///< as Model::parts
     double contact = 0; ///< in the penalty springs, recoverable but for those of deleted faces
     double friction = 0, contactDamping = 0, damping = 0;
     double external = 0; ///< done by loads, drives and moving surfaces
@@ -24,8 +35,10 @@ struct Energies {
     {
         return internal + hourglass > 0 ? kinetic / (internal + hourglass) : 0;
     }
-    double balance = 0; ///< (total - external - start) / largest of kinetic, internal, external,
-                        ///< lost to friction and damping, start
+    double error = 0;   ///< total - external - start
+    double scale = 0;   ///< largest so far of kinetic, internal, external, lost to friction and
+                        ///< damping, start, and of what rounding explains: see roundingEnergy
+    double balance = 0; ///< error / scale
 };
 
 /// Works done on the nodes up to a time, trapezoidal: what the exact discrete identity sums.
@@ -44,6 +57,20 @@ struct PairForce {
     std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0, late = 0;
     double spring = 0;                ///< recoverable energy of its springs
     double friction = 0, damping = 0; ///< dissipated since the start
+};
+
+/// How the contactors of a pair that are in touch stand to their targets, over all its passes.
+struct PairTouch {
+    Index active = 0;
+    /// Of those in touch, forgiven overlaps included; of means a contactor on a plane of symmetry
+    /// counts half.
+    double maxDepth = 0, meanDepth = 0;
+    Index deepest = -1;      ///< node
+    double thickness = 0;    ///< of the target at that node; 0: it has none
+    double normal = 0;       ///< sum of the forces of the normal springs
+    Point friction{0, 0, 0}; ///< on the contactor, as slip with pairs of two surfaces
+    Point slip{0, 0, 0};     ///< mean velocity of contactors against the target, along it
+    double speed = 0;        ///< mean length of that velocity
 };
 
 /// The node, or the part that is a free rigid body, whose contact springs are the stiffest for its
@@ -117,6 +144,7 @@ public:
     virtual Energies energies() = 0;
     virtual NodalWorks nodalWorks() = 0;
     virtual PairForce pairForce(std::size_t pair) = 0;
+    virtual PairTouch pairTouch(std::size_t pair) = 0;
     virtual BodyMotionValues bodyMotion(std::size_t body) = 0; ///< as SolverData::body
     virtual ContactBound contactLimit() = 0;
     virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()

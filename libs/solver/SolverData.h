@@ -159,6 +159,8 @@ Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& a
 void addTopology(PairData& pair, const std::vector<Point>& points);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
+/// Energy below which the balance of a run is no error but rounding.
+double roundingEnergy(const Model& model);
 /// Whether a part asks for something that only GeneralPlasticity does.
 bool needsGeneralPlasticity(const Part& part);
 

@@ -5,52 +5,23 @@
 #include "io/AtomicFile.h"
 #include "io/Frames.h"
 #include "solver/ContactWatch.h"
+#include "solver/Health.h"
+#include "solver/HealthTable.h"
 #include "solver/Histories.h"
 #include "solver/Inversion.h"
 #include "solver/Performance.h"
 #include "solver/RunForecast.h"
+#include "solver/RunReport.h"
+#include "solver/SignalWatch.h"
 #include "solver/resultFrame.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 
 namespace fpm {
 
 namespace {
-
-/// The only thing a signal handler may touch.
-volatile std::sig_atomic_t stopSignal = 0;
-
-extern "C" void noteSignal(int signal)
-{
-    stopSignal = signal;
-}
-
-/// Catches SIGINT and SIGTERM while it lives; the second one ends the program at once.
-class SignalWatch
-{
-public:
-    SignalWatch()
-    {
-        struct sigaction action = {};
-        action.sa_handler = noteSignal;
-        action.sa_flags = int(SA_RESETHAND);
-        stopSignal = 0;
-        sigaction(SIGINT, &action, &oldInterrupt_);
-        sigaction(SIGTERM, &action, &oldTerminate_);
-    }
-    ~SignalWatch()
-    {
-        sigaction(SIGINT, &oldInterrupt_, nullptr);
-        sigaction(SIGTERM, &oldTerminate_, nullptr);
-    }
-    bool raised() const { return stopSignal != 0; }
-
-private:
-    struct sigaction oldInterrupt_ = {}, oldTerminate_ = {};
-};
 
 double secondsSince(std::chrono::steady_clock::time_point begin)
 {
@@ -64,6 +35,9 @@ std::string clockText(double seconds)
     return two(s / 3600) + ":" + two(s / 60 % 60) + ":" + two(s % 60);
 }
 
+/// Where the state goes that stopped a run: no time folder, and so no frame of the series.
+const char* const failedFolder = "failed";
+
 /// One run from start to end: what is due when, and what goes where.
 class TimeLoop
 {
@@ -75,7 +49,9 @@ public:
           run_(run),
           maxSteps_(maxSteps),
           record_(run.theCase, model.control.previousRun, run.log),
-          histories_(run.theCase.root(), model, record_.id())
+          histories_(run.theCase.root(), model, record_.id()),
+          health_(model, solver),
+          edges_(model)
     {
     }
 
@@ -94,6 +70,10 @@ public:
             throw;
         }
         end(RunState::finished);
+        if (run_.has("strict") && findings(verdicts_) > 0)
+            throw Error(ExitCode::unhealthy, healthVerdict(verdicts_) + " (-strict)",
+                        "the table of health above says what, where and what helps");
+        run_.log.line(healthVerdict(verdicts_));
     }
 
 private:
@@ -101,8 +81,7 @@ private:
     {
         const SignalWatch signals;
         reportMassScaling(solver_, run_.log);
-        energies_ = solver_.energies();
-        histories_.sample(solver_, energies_);
+        sample();
         reportOverlaps(solver_, model_, run_.log);
         writeFrame();
         reportStart(solver_, model_, run_.theCase.root(), maxSteps_, run_.log);
@@ -111,8 +90,12 @@ private:
             const double due = std::min(nextFrame, sampleTime(samples_));
             advanceTo(due, nextFrame);
             check();
-            if (clock_.time >= sampleTime(samples_) - tiny() || done()) sample();
-            if (clock_.time >= nextFrame || clock_.settled) writeFrame();
+            const bool frameIsDue = clock_.time >= nextFrame || clock_.settled;
+            if (clock_.time >= sampleTime(samples_) - tiny() || done())
+                sample();
+            else if (frameIsDue)
+                judge(solver_.energies()); // no frame holds a state that is lost
+            if (frameIsDue) writeFrame();
             progress();
             if (signals.raised()) {
                 if (clock_.time > lastFrame_) writeFrame();
@@ -124,8 +107,6 @@ private:
         }
         finish();
     }
-
-    static constexpr int judgedSteps = 10; ///< balance is judged from this step on
 
     bool done() const
     {
@@ -155,22 +136,34 @@ private:
 
     void sample()
     {
-        energies_ = solver_.energies();
-        histories_.sample(solver_, energies_);
-        while (control_.historyInterval > 0 && sampleTime(samples_) <= clock_.time + tiny()
+        const Sample row(solver_, model_);
+        histories_.sample(solver_, row);
+        health_.sample(clock_, row);
+        while (control_.historyInterval > 0 && clock_.steps > 0
+               && sampleTime(samples_) <= clock_.time + tiny()
                && sampleTime(samples_) < control_.endTime)
             ++samples_;
-        if (!std::isfinite(energies_.total))
+        judge(row.energies);
+        edges_.checkIfDue(solver_, run_.log);
+    }
+
+    void judge(const Energies& energies)
+    {
+        energies_ = energies;
+        const double error = std::abs(energies.balance);
+        if (!std::isfinite(energies.total))
             fail(format("the energy is not a number at time {}", clock_.time));
         // The first steps of a drive from rest: nothing to measure the error by yet.
-        if (clock_.steps < judgedSteps) return;
-        if (std::abs(energies_.balance) > control_.energyStop)
+        if (clock_.steps < Health::judgedSteps) return;
+        if (error > control_.energyStop)
             fail(format("energy balance error {} % at time {} is beyond energyBalance.stop {} %",
-                        toText(100 * energies_.balance, 3), clock_.time,
-                        100 * control_.energyStop));
-        if (std::abs(energies_.balance) > control_.energyWarning)
-            run_.log.warning(
-                format("energy balance error is beyond {} %", 100 * control_.energyWarning));
+                        toText(100 * energies.balance, 3), clock_.time, 100 * control_.energyStop));
+        if (error > control_.energyWarning && !balanceWarned_)
+            run_.log.warning(format("energy balance error {} % at time {} is beyond "
+                                    "energyBalance.warning {} %",
+                                    toText(100 * energies.balance, 3), clock_.time,
+                                    100 * control_.energyWarning));
+        balanceWarned_ |= error > control_.energyWarning;
         checkInertia();
     }
 
@@ -208,23 +201,31 @@ private:
                                "or pair named")
     {
         writeFileAtomically(run_.theCase.path("why.txt"), what + "\n");
-        if (clock_.time > lastFrame_) writeFrame();
+        // Beside the mesh as any frame, but of no time: the series ends with the last good state.
+        saveState(failedFolder);
         finish();
         throw Error(ExitCode::numericalStop, what,
-                    "the state up to here is in the last time folder; " + advice);
+                    format("the last time folder holds the last good state, '{}' the one that "
+                           "stopped the run; {}",
+                           failedFolder, advice));
+    }
+
+    void saveState(const std::string& folder)
+    {
+        Frame frame = resultFrame(solver_, model_);
+        frame.runId = record_.id();
+        fpm::writeFrame(run_.theCase.root(), folder, frame, model_.mesh.points.size(),
+                        model_.mesh.hexahedra.size());
     }
 
     void writeFrame()
     {
         const std::string name = timeName(clock_.time);
-        Frame frame = resultFrame(solver_, model_);
-        frame.runId = record_.id();
-        fpm::writeFrame(run_.theCase.root(), name, frame, model_.mesh.points.size(),
-                        model_.mesh.hexahedra.size());
+        saveState(name);
         series_.push_back(name);
         writeSeries(run_.theCase.root(), record_.id(), series_);
         run_.log.line(format("Time = {}", name));
-        watchEdges(solver_, model_, edgesCross_, run_.log);
+        edges_.check(solver_, run_.log);
         lastFrame_ = clock_.time;
         ++frames_;
     }
@@ -234,6 +235,7 @@ private:
         const double wall = secondsSince(begin_);
         if (wall < nextLine_) return;
         nextLine_ = wall + 1;
+        record_.tell(healthStatus(health_.sampledRows()));
         record_.renew(clock_.time, clock_.steps, run_.log);
         const double part = clock_.time / control_.endTime;
         const double rate = double(clock_.steps) * double(model_.mesh.hexahedra.size()) / wall;
@@ -247,63 +249,22 @@ private:
     void finish()
     {
         energies_ = solver_.energies();
-        reportEnergies();
-        reportRest();
-        reportPairs(solver_, model_, run_.log);
-        reportContact(solver_, model_, run_.log);
-        reportErosion();
-        if (clock_.steps > 0)
-            run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
-                                 stepLimit(solver_, model_)));
-        reportPerformance(solver_, model_, run_, record_.id());
-    }
-
-    void reportEnergies()
-    {
-        const Energies& e = energies_;
-        run_.log.line(format(
-            "energies at {}: kinetic {} internal {} (plastic {}) hourglass {} bulk viscosity {}",
-            e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity));
-        run_.log.line(format("  contact {} friction {} contact damping {} damping {} external {}  "
-                             "balance error {} %",
-                             e.contact, e.friction, e.contactDamping, e.damping, e.external,
-                             toText(100 * e.balance, 3)));
-    }
-
-    void reportRest()
-    {
+        reportEnergies(energies_, run_.log);
         if (control_.kineticShare > 0)
             run_.log.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,
                                  toText(100 * largestShare_, 3)));
-        if (!(control_.relaxationTolerance > 0)) return;
-        const std::string where =
-            format("force out of balance {}, square root of the kinetic share {}",
-                   toText(clock_.residual, 3), toText(clock_.unrest, 3));
-        if (clock_.settled)
-            run_.log.line(format("dynamic relaxation: at rest at time {} after {} steps; ",
-                                 clock_.time, clock_.steps)
-                          + where);
-        else
-            run_.log.warning("dynamic relaxation has not come to rest: " + where);
-    }
-
-    void reportErosion()
-    {
-        if (!solver_.data().erodes) return;
-        const ElementValues values = solver_.elementValues();
-        for (std::size_t p = 0; p < model_.parts.size(); ++p) {
-            const MeshPart& part = model_.mesh.parts[p];
-            Index deleted = 0;
-            double energy = 0;
-            for (Index e = part.firstElement; e < part.firstElement + part.elementCount; ++e) {
-                deleted += values.deleted[std::size_t(e)];
-                energy += values.eroded[std::size_t(e)];
-            }
-            if (deleted > 0)
-                run_.log.line(format("part {}: {} elements deleted, eroded {} (elastic energy they "
-                                     "held, part of internal)",
-                                     part.name, deleted, energy));
-        }
+        reportRest(clock_, control_, run_.log);
+        reportPairs(solver_, model_, run_.log);
+        reportContact(solver_, model_, run_.log);
+        reportErosion(solver_, model_, run_.log);
+        if (clock_.steps > 0)
+            run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
+                                 stepLimit(solver_, model_)));
+        verdicts_ = health_.rows(solver_, edges_);
+        for (const std::string& line : healthLines(verdicts_)) run_.log.line(line);
+        writeHealth(run_.theCase.root(), record_.id(), verdicts_);
+        record_.tell(healthStatus(verdicts_));
+        reportPerformance(solver_, model_, run_, record_.id());
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
@@ -320,7 +281,10 @@ private:
     Energies energies_;
     std::int64_t frames_ = 0, samples_ = 1;
     double nextLine_ = 1, lastFrame_ = 0, largestShare_ = 0;
-    std::vector<bool> edgesCross_; ///< pairs already warned of
+    bool balanceWarned_ = false;
+    Health health_;
+    EdgeWatch edges_;
+    HealthRows verdicts_; ///< at the end
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -56,8 +56,9 @@ Outcome outcomeOf(Solver& solver, const Model& model)
 {
     Outcome out{solver.stateChecksum(), {}};
     const Energies e = solver.energies();
-    out.add("energies", {e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity,
-                         e.contact, e.friction, e.contactDamping, e.damping, e.external});
+    out.add("energies",
+            {e.time, e.kinetic, e.internal, e.plastic, e.bending, e.hourglass, e.bulkViscosity,
+             e.contact, e.friction, e.contactDamping, e.damping, e.external});
     const NodalWorks w = solver.nodalWorks();
     out.add("works", {w.internal, w.contact, w.external, w.drives, w.damping});
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
@@ -65,6 +66,11 @@ Outcome outcomeOf(Solver& solver, const Model& model)
         out.add("pair force", {f.force.begin(), f.force.end()});
         out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
                          f.friction, f.damping});
+        const PairTouch t = solver.pairTouch(pair);
+        out.add("touch", {double(t.active), t.maxDepth, t.meanDepth, double(t.deepest), t.thickness,
+                          t.normal, t.speed});
+        out.add("slip and friction",
+                {t.slip[0], t.slip[1], t.slip[2], t.friction[0], t.friction[1], t.friction[2]});
     }
     for (std::size_t body = 0; body < solver.data().body.part.size(); ++body) {
         const BodyMotionValues b = solver.bodyMotion(body);

@@ -53,6 +53,8 @@ def apart(whole, part, factor, skip):
     measured by the largest component. `skip`: components across the planes, numbers of contactors."""
     worst = (0.0, "nothing")
     for file in sorted((whole.root / "postProcessing").rglob("*.dat")):
+        if file.stem == "health":  # texts
+            continue
         name = file.relative_to(whole.root / "postProcessing")
         a, b = readTable(file), readTable(part.root / "postProcessing" / name)
         if len(a["time"]) != len(b["time"]):

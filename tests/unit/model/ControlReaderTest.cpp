@@ -163,7 +163,8 @@ TEST(HistoryReader, RecordsTheNodeNearestToAPoint)
     const auto histories =
         readFunctions("tip { type point; part rod; position (0.9 1 0.8); fields (velocity); }");
 
-    ASSERT_EQ(histories.size(), 1u);
+    ASSERT_EQ(histories.size(), 2u);
+    EXPECT_EQ(histories[1].kind, History::Kind::energies) << "kept without being asked for";
     EXPECT_EQ(histories[0].node, 7); // corner (1 1 1)
     EXPECT_EQ(histories[0].fields, (std::vector<std::string>{"velocity"}));
 }

@@ -311,7 +311,7 @@ TEST(ContactLaw, ReactionHistoriesTellTravelAndTheForceOfTheWhole)
     EXPECT_GT(force, 0);
     {
         Histories histories(folder.path(), model);
-        histories.sample(*solver, solver->energies());
+        histories.sample(*solver, Sample(*solver, model));
     }
     const auto wallRow = tableOf(folder.path() / "postProcessing/wall/0/reaction.dat").back();
     const auto lidRow = tableOf(folder.path() / "postProcessing/lid/0/reaction.dat").back();

@@ -1,0 +1,186 @@
+#pragma once
+
+#include "kernels/BlockSum.h"
+#include "kernels/contact/PairView.h"
+#include "kernels/contact/RigidSurface.h"
+
+namespace fpm {
+
+/// How one contactor in touch stands to its target. It only reads what the force pass left.
+struct Touch {
+    double weight = 1;    ///< of a whole contactor; half of it lies on a plane of symmetry
+    double depth = 0;     ///< of the contactor inside the target, overlaps that are forgiven too
+    double thickness = 0; ///< of the target there; 0: it has none
+    double normal = 0;    ///< force of its normal spring
+    Vec3<double> friction{0, 0, 0}; ///< force on the contactor
+    Vec3<double> slip{0, 0, 0};     ///< velocity against the target, along it
+};
+
+/// Normal force of a spring whose energy is known with its tangential force.
+template <class Work>
+FPM_KERNEL double
+normalForceOf(const PairLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
+{
+    if (!(stiffness > 0)) return 0;
+    double energy = law.spring[i];
+    if (law.friction.acts())
+        energy -=
+            dot(tangential, tangential) / (2 * double(law.friction.stiffnessRatio) * stiffness);
+    return energy > 0 ? squareRoot(2 * stiffness * energy) : 0;
+}
+
+/// Half for each plane of symmetry, a bit each.
+FPM_KERNEL double weightOn(unsigned planes)
+{
+    double weight = 1;
+    for (; planes > 0; planes &= planes - 1) weight *= 0.5;
+    return weight;
+}
+
+template <class Work>
+FPM_KERNEL Vec3<double> inDoubles(const Vec3<Work>& v)
+{
+    return {double(v.x), double(v.y), double(v.z)};
+}
+
+/// Touch of a contactor with faces.
+template <class Precision>
+struct FaceTouch {
+    using Work = typename Precision::Work;
+    PairView<Precision> pair;
+
+    FPM_KERNEL bool operator()(Index i, Touch& out) const
+    {
+        const PairLaw<Work>& law = pair.law;
+        const Index face = pair.face[i];
+        if (face < 0 || !(law.spring[i] > 0)) return false;
+        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        const Projection<Work> at = gapAtClosest(corners, pair.xi[i], pair.eta[i]);
+        out.weight = weightOn(unsigned(pair.mirrorsOf(i)));
+        out.depth = at.gap < 0 ? double(-at.gap) : 0;
+        out.thickness = double(pair.faceThickness[face]);
+        Work stiffness = law.stiffness(i, pair.faceStiffness[face]);
+        if (pair.heldStiffness && pair.heldStiffness[i] > 0) stiffness = pair.heldStiffness[i];
+        if (law.friction.acts()) {
+            const Vec3<Work> held = law.storedVector(i);
+            out.friction =
+                inDoubles(law.storedFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
+            Work n[4];
+            shapeFunctions(at.xi, at.eta, n);
+            Vec3<Work> velocity = pair.velocityOf(pair.contactor[i]);
+            for (int k = 0; k < 4; ++k)
+                velocity =
+                    velocity - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
+            out.slip = inDoubles(inPlane(velocity, at.normal));
+        }
+        out.normal = normalForceOf(law, i, double(stiffness), out.friction);
+        return true;
+    }
+};
+
+/// Touch of a contactor with an analytic surface.
+template <class Precision>
+struct SurfaceTouch {
+    using Work = typename Precision::Work;
+    SurfaceForce<Precision> surface;
+
+    FPM_KERNEL bool operator()(Index i, Touch& out) const
+    {
+        const SurfaceForce<Precision>& s = surface;
+        if (!(s.law.spring[i] > 0)) return false;
+        const std::size_t node = std::size_t(s.contactor[i]);
+        const double now = s.clock->time, step = s.clock->step;
+        const Vec3<double> moved = s.shape.displacement(s.amplitudeRows, now);
+        const Vec3<double> x{double(s.position[node]), double(s.position[s.nodeStride + node]),
+                             double(s.position[2 * s.nodeStride + node])};
+        const SurfacePoint at = s.shape.at(x - moved);
+        out.weight = weightOn(s.law.mirrors ? s.law.mirrors[i] : 0u);
+        out.depth = at.gap < 0 ? -at.gap : 0;
+        if (s.law.friction.acts()) {
+            out.friction = inDoubles(s.law.storedVector(i));
+            Vec3<double> velocity{double(s.velocity[node]), double(s.velocity[s.nodeStride + node]),
+                                  double(s.velocity[2 * s.nodeStride + node])};
+            if (s.shape.moves && step > 0)
+                velocity =
+                    velocity
+                    - (1 / step) * (moved - s.shape.displacement(s.amplitudeRows, now - step));
+            out.slip = inPlane(velocity, at.normal);
+        }
+        out.normal = normalForceOf(s.law, i, double(s.law.stiffness(i, Work(0))), out.friction);
+        return true;
+    }
+};
+
+/// Order of the values a block of TouchSums writes.
+enum TouchValue {
+    touchCount,  ///< contactors in touch
+    touchWeight, ///< sums over them, up to touchSums
+    touchDepth,  ///< times weight
+    touchNormal,
+    touchFriction,
+    touchSlip = touchFriction + 3, ///< times weight
+    touchSpeed = touchSlip + 3,    ///< length of the slip, times weight
+    touchSums,
+    touchDeepest = touchSums, ///< the largest depth, whose it is, thickness of its target
+    touchContactor,
+    touchThickness,
+    touchValues
+};
+
+/// Adds up Touch over the contactors of a pass and finds the deepest; one block = 256 of them.
+template <class Source>
+struct TouchSums {
+    static constexpr Index block = 256;
+
+    Index count;
+    Source source;
+    double* blockValues; ///< [block][touchValues]
+
+    static constexpr std::size_t scratch()
+    {
+        return (touchSums + 2) * block * sizeof(double) + blockSumScratch(touchSums);
+    }
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index number) const
+    {
+        double* values = reinterpret_cast<double*>(team.scratch());
+        double* deepest = values + touchSums * block; // depth and thickness of each
+        double* partial = deepest + 2 * block;
+        const Index first = number * block, size = count - first < block ? count - first : block;
+        team.forEach(size, [&](Index i) {
+            Touch touch;
+            const bool touches = source(first + i, touch);
+            const double w = touches ? touch.weight : 0;
+            const double all[touchSums] = {touches ? 1.0 : 0.0,
+                                           w,
+                                           w * touch.depth,
+                                           touch.normal,
+                                           touch.friction.x,
+                                           touch.friction.y,
+                                           touch.friction.z,
+                                           w * touch.slip.x,
+                                           w * touch.slip.y,
+                                           w * touch.slip.z,
+                                           w * squareRoot(dot(touch.slip, touch.slip))};
+            for (int k = 0; k < touchSums; ++k) values[k * block + i] = all[k];
+            deepest[i] = touch.depth;
+            deepest[block + i] = touch.thickness;
+        });
+        team.barrier();
+        blockSums(team, touchSums, size, values, block, partial);
+        team.barrier();
+        double* out = blockValues + std::size_t(number) * touchValues;
+        team.forEach(touchSums, [=](Index k) { out[k] = blockSumResult(partial, int(k)); });
+        team.forEach(1, [=](Index) {
+            Index at = 0;
+            for (Index i = 1; i < size; ++i)
+                if (deepest[i] > deepest[at]) at = i;
+            out[touchDeepest] = deepest[at];
+            out[touchContactor] = double(first + at);
+            out[touchThickness] = deepest[block + at];
+        });
+    }
+};
+
+} // namespace fpm

@@ -1,0 +1,32 @@
+#pragma once
+
+namespace fpm {
+
+/// Beyond which a figure of a run is a finding. Those of the energy balance and of the kinetic
+/// share of slow runs are the case's own (controlDict).
+struct HealthLimits {
+    /// Energy of spurious modes over the internal energy of a part. Users of elements with one
+    /// point hold 5 to 10 % for the most that a result can bear.
+    static constexpr double hourglass = 0.1;
+    /// Contact springs over internal energy when both hold most: the springs stand for nothing
+    /// real. With normalScale 1 they are as soft as one or two elements, so that bodies of few
+    /// elements hold a tenth in them; from a fifth on force and way are further off than such
+    /// elements make them.
+    static constexpr double contactSprings = 0.2;
+    /// Penetration over the width of a face: from a quarter on, which is the reach of a search, a
+    /// contactor is as far inside as it may be away and still be followed.
+    static constexpr double depthOfFace = 0.25;
+    /// Penetration over the thickness of the target: beyond the whole it is let go.
+    static constexpr double depthOfThickness = 0.5;
+    /// Friction delivered over that of Coulomb while a pair slides: smooth sliding reaches 0.99.
+    static constexpr double friction = 0.93;
+    /// Mass added by scaling over the body's own where nobody watches the inertia.
+    static constexpr double addedMass = 0.05;
+    /// Rigid motion over all kinetic energy of a body that should come to rest or move slowly: with
+    /// supports it is a part, without it is nearly all.
+    static constexpr double rigidMotion = 0.9;
+    /// Energies below this share of the run's largest are not worth a verdict.
+    static constexpr double counts = 0.01;
+};
+
+} // namespace fpm

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "solver/Solver.h"
+
+namespace fpm {
+
+/// What a history row is made of, asked of the solver once.
+struct Sample {
+    Energies energies;
+    std::vector<PairTouch> pairs; ///< as Model::contactPairs
+    Sample(Solver& solver, const Model& model) : energies(solver.energies())
+    {
+        for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
+            pairs.push_back(solver.pairTouch(pair));
+    }
+};
+
+} // namespace fpm

@@ -1,0 +1,291 @@
+"""Sick runs find fault with themselves, each with its own finding and no other; sound ones do not."""
+
+import shlex
+
+from driver.scene import PHYSICAL, Scene, elastic, plastic
+
+STEEL = ("210000", "0.3", "7.85e-9")
+UNHEALTHY = 11  # exit code of fpmExplicit -strict
+STOPPED = 10    # of a run that stops by itself
+
+
+def box(name, origin, size, cells):
+    text = " ".join
+    return (f"{name} {{ type box; origin ({text(map(repr, origin))}); "
+            f"size ({text(map(repr, size))}); cells ({text(map(str, cells))}); }}\n")
+
+
+def steel(*names, more=PHYSICAL):
+    return "".join(elastic(name, *STEEL, more=more) for name in names)
+
+
+def rowsOf(case):
+    """postProcessing/health/0/health.dat as dictionaries."""
+    lines = (case.root / "postProcessing/health/0/health.dat").read_text().splitlines()
+    names = lines[1][1:].split()
+    return [dict(zip(names, shlex.split(line))) for line in lines[2:]]
+
+
+def findings(case):
+    return [row["figure"] for row in rowsOf(case) if row["verdict"] == "finding"]
+
+
+def judged(marks, name, scene, expected):
+    """Runs a scene; its findings are those expected and no others. Returns its log."""
+    with scene as case:
+        case.mesh()
+        done = case.start("fpmExplicit", "-strict", "-threads", "1")
+        found = findings(case)
+        marks.true(f"{name}: {', '.join(expected) or 'healthy'}", found == expected)
+        if found != expected:
+            marks.failures.append(f"{name}: found {found}\n{done.stdout[-3000:]}")
+        code = UNHEALTHY if expected else 0
+        marks.true(f"exit {code}", done.returncode == code)
+        if done.returncode != code:
+            marks.failures.append(f"{name}: exit {done.returncode}\n{done.stdout[-1500:]}")
+        return done.stdout
+
+
+def cantilever(binaries, form):
+    """One element thick under a load at its tip; beam theory -1.90 mm, `stiffness` -3.18 mm."""
+    return Scene(binaries, bodies=box("a", (0, 0, 0), (100, 10, 10), (10, 1, 1)),
+                 parts=steel("a", more=f"hourglass {{ form {form}; }}"), end=4e-3, rows=200,
+                 sets="tip { type point; position (100 10 10); }",
+                 conditions="f { type fixed; set a.xMin; } l { type force; set tip; "
+                 "value (0 0 -1000); amplitude smooth ((0 0) (3e-3 1)); }",
+                 control="massDamping 2e3;")
+
+
+def hourglass(binaries, marks):
+    """Energy of spurious modes is a finding; that of real bending is internal energy."""
+    name = "hourglass / internal energy"
+    judged(marks, "cantilever, stiffness", cantilever(binaries, "stiffness"), [name])
+    judged(marks, "cantilever, viscous", cantilever(binaries, "viscous"), [name])
+    judged(marks, "cantilever, physical", cantilever(binaries, "physical"), [])
+
+
+def ledger(binaries, marks):
+    """A strip bent beyond yield: plastic work of bending is a part of the internal energy."""
+    strip = Scene(binaries, bodies=box("a", (0, 0, 0), (100, 10, 2), (20, 2, 1)),
+                  parts=plastic("a", 70000, 0.3, "2.7e-9", 285, 900, more=PHYSICAL), end=2e-3,
+                  rows=100, control="massDamping 500;",
+                  conditions="f { type fixed; set a.xMin; } d { type displacement; set a.xMax; "
+                  "value (0 0 -40); components (z); amplitude smooth ((0 0) (2e-3 1)); }")
+    with strip as case:
+        case.all()
+        energies = case.energies()
+        rows = range(len(energies["time"]))
+        marks.true("plastic work is never more than internal energy", all(
+            energies["plastic"][i] <= energies["internal"][i] * (1 + 1e-9) + 1e-12 for i in rows))
+        marks.within("plastic / internal", energies["plastic"][-1] / energies["internal"][-1],
+                     0.7, 1)
+        marks.below("hourglass / internal", case.hourglassShare(), 0.01)
+        marks.true("healthy", findings(case) == [])
+
+
+def wires(binaries, contact, **more):
+    """Two wires, one of which falls on the other between its nodes: edges cross, no node enters."""
+    return Scene(binaries, bodies=box("low", (0, 0, 0), (60, 1, 1), (12, 1, 1))
+                 + box("high", (32, -28, 1.2), (1, 60, 1), (1, 12, 1)),
+                 parts=steel("low", "high"), end=3e-4, rows=100,
+                 conditions="f { type fixed; part low; }",
+                 initial="v { type velocity; part high; value (0 0 -5000); }",
+                 files={"system/contactDict": contact}, **more)
+
+
+def edges(binaries, marks):
+    name = ["edges that pass through the other surface"]
+    log = judged(marks, "wires, general", wires(binaries, "general;\n"), name)
+    marks.true("told before a frame is written", "parts low and high: at time" in log
+               and float(log.split("parts low and high: at time")[1].split()[0]) < 2.9e-4)
+    judged(marks, "wires, pair", wires(binaries, "pairs { p { contactor high; target low; "
+                                       "passes two; } }\n"), name)
+
+
+def bodies(binaries, marks):
+    """What holds, loads and separates bodies."""
+    block = box("a", (0, 0, 0), (20, 10, 10), (4, 2, 2))
+    pull = "pull { type force; set a.xMax; value (100 0 0); amplitude smooth ((0 0) (2e-4 1)); }"
+    judged(marks, "unsupported", Scene(
+        binaries, bodies=block, parts=steel("a"), end=2e-3, rows=100, conditions=pull,
+        control="dynamicRelaxation { tolerance 1e-3; }"),
+        ["rigid motion / kinetic energy, nothing holds it"])
+    judged(marks, "not at rest", Scene(
+        binaries, bodies=block, parts=steel("a"), end=2e-5, rows=100,
+        conditions=pull + "f { type fixed; set a.xMin; }",
+        control="dynamicRelaxation { tolerance 1e-6; }"),
+        ["dynamic relaxation: force out of balance"])
+    judged(marks, "too fast for quasi-static", Scene(
+        binaries, bodies=block, parts=steel("a"), end=2e-5, rows=100,
+        conditions="f { type fixed; set a.xMin; } d { type displacement; set a.xMax; "
+        "value (0.1 0 0); components (x); amplitude smooth ((0 0) (5e-6 1)); }",
+        control="quasiStatic { after 0; }"), ["kinetic energy / energy of the elements"])
+    judged(marks, "nothing moves it", Scene(
+        binaries, bodies=block + box("b", (0, 0, 50), (5, 5, 5), (1, 1, 1)),
+        parts=steel("a", "b"), end=2e-5, rows=20,
+        conditions="f { type fixed; set a.xMin; } " + pull),
+        ["bodies that nothing moves, loads or touches"])
+    judged(marks, "no pair between", Scene(
+        binaries, bodies=block + box("b", (21, 1, 1), (8, 8, 8), (3, 3, 3)), parts=steel("a", "b"),
+        end=1e-4, rows=20, conditions="f { type fixed; set a.xMin; }",
+        initial="v { type velocity; part b; value (-50000 0 0); }"),
+        ["nodes inside a body with which there is no contact"] * 2)
+
+
+def mass(binaries, marks):
+    """A free impact of scaled mass: a hundred times the energy and momentum."""
+    def impact(control):
+        return Scene(binaries, bodies=box("a", (0, 0, 0), (10, 10, 10), (3, 3, 3))
+                     + box("b", (0, 0, 10.1), (10, 10, 10), (3, 3, 3)), parts=steel("a", "b"),
+                     end=6e-5, rows=60, control=control, conditions="f { type fixed; set a.zMin; }",
+                     initial="v { type velocity; part b; value (0 0 -5000); }",
+                     pairs="p { contactor b.zMin; target a.zMax; }")
+    judged(marks, "scaled impact", impact("massScaling { factor 100; }"),
+           ["mass added by scaling / own mass"])
+    judged(marks, "impact", impact(""), [])
+
+
+def pressed(binaries, law, way, end=4e-4, control="massDamping 2e4;"):
+    """A block driven into another."""
+    return Scene(binaries, bodies=box("a", (0, 0, 0), (10, 10, 10), (3, 3, 3))
+                 + box("b", (2, 2, 10), (6, 6, 6), (3, 3, 3)), parts=steel("a", "b"), end=end,
+                 rows=80, control=control,
+                 conditions="f { type fixed; set a.zMin; } d { type displacement; set b.zMax; "
+                 f"value (0 0 {-way}); components (x y z); amplitude smooth ((0 0) ({end} 1)); }}",
+                 pairs=f"p {{ contactor b.zMin; target a.zMax; {law} }}")
+
+
+def contact(binaries, marks):
+    judged(marks, "pressed", pressed(binaries, "normalScale 3;", 0.02), [])
+    judged(marks, "soft springs", pressed(binaries, "normalScale 0.1;", 0.1),
+           ["energy in contact springs / internal energy"])
+    judged(marks, "deep", pressed(binaries, "normalScale 0.002;", 1.2),
+           ["energy in contact springs / internal energy", "penetration / width of a face"])
+    judged(marks, "through a thin target", Scene(
+        binaries, bodies=box("a", (-3, -3, 0), (16, 16, 0.5), (4, 4, 1))
+        + box("b", (2, 2, 0.6), (6, 6, 6), (3, 3, 3)), parts=steel("a", "b"), end=4e-5, rows=80,
+        conditions="f { type fixed; part a; }",
+        initial="v { type velocity; part b; value (0 0 -50000); }",
+        pairs="p { contactor b.zMin; target a.zMax; normalScale 1e-6; }"),
+        ["penetration / thickness of the target", "contactors let go"])
+    judged(marks, "a balance that is asked too much", Scene(
+        binaries, bodies=box("a", (0, 0, 0), (10, 10, 10), (3, 3, 3)), parts=steel("a"), end=2e-5,
+        rows=100, control="energyBalance { warning 1e-9; }",
+        initial="v { type velocity; part a; value (0 0 -1000); }",
+        pairs="p { contactor a.zMin; target f; normalScale 4; }",
+        surfaces="f { type plane; point (0 0 -0.01); normal (0 0 1); }"), ["energy balance error"])
+
+
+def falseAlarms(binaries, marks):
+    """What is sound ends healthy and without a warning."""
+    log = judged(marks, "far apart", Scene(
+        binaries, bodies=box("a", (0, 0, 0), (1, 1, 1), (2, 2, 2))
+        + box("b", (1e6, 0, 0), (1, 1, 1), (2, 2, 2)), parts=steel("a", "b"), end=1e-5, rows=50,
+        initial="v { type velocity; part b; value (1000 0 0); }",
+        files={"system/contactDict": "general;\n"}), [])
+    marks.true("no warning", "warning" not in log)
+
+    def punch(passes):
+        return Scene(binaries, bodies=box("a", (0, 0, 0), (12, 12, 6), (3, 3, 3))
+                     + box("b", (4.5, 4.5, 6.05), (3, 3, 6), (6, 6, 12)), parts=steel("a", "b"),
+                     end=3e-5, rows=50, conditions="f { type fixed; set a.zMin; }",
+                     initial="v { type velocity; part b; value (0 0 -5000); }",
+                     pairs=f"p {{ contactor a; target b; passes {passes}; }}")
+    with punch("two") as case:
+        case.run("fpmMesh")
+        marks.true("two passes meet: no warning", "warning" not in case.run("fpmSetContact"))
+        case.solve()
+        marks.true("and touch", max(case.contact("p")["active"]) > 0)
+        marks.true("healthy", findings(case) == [])
+    with punch("one") as case:
+        case.run("fpmMesh")
+        marks.true("one pass: the cure is named",
+                   "swap contactor and target, or set passes two" in case.run("fpmSetContact"))
+
+
+def friction(binaries, marks):
+    """A block dragged over a plane: undamped it chatters and delivers 0.83 of Coulomb's friction;
+    with viscous control and bulk viscosity 1.000."""
+    def dragged(more):
+        return Scene(binaries, bodies=box("a", (0, 0, 0), (20, 10, 10), (8, 4, 4)),
+                     parts=elastic("a", *STEEL, more=more), end=2.5e-3, rows=1000,
+                     conditions="n { type force; set a.zMax; value (0 0 -1000); distribution area;"
+                     " amplitude smooth ((0 0) (3e-4 1)); } drag { type velocity; set a.xMin; "
+                     "value (200 0 0); components (x); amplitude smooth ((0 0) (5e-4 0) (8e-4 1));"
+                     " }", pairs="p { contactor a; target f; friction 0.3; }",
+                     surfaces="f { type plane; point (0 0 0); normal (0 0 1); }")
+    judged(marks, "chatter", dragged(""), ["friction while sliding / friction of Coulomb"])
+    judged(marks, "damped", dragged("hourglass { form viscous; coefficient 0.1; } "
+                                    "bulkViscosity { linear 0.5; quadratic 1.2; }"), [])
+
+
+def snag(binaries, marks):
+    """A pin slides over the gap between two flush plates and is thrown back."""
+    judged(marks, "snag", Scene(
+        binaries, bodies=box("l", (0, 0, 0), (20, 10, 4), (10, 5, 2))
+        + box("r", (20.3, 0, 0), (20, 10, 4), (10, 5, 2))
+        + box("p", (10, 4, 4.02), (4, 2, 4), (4, 2, 4)), parts=steel("l", "r", "p"), end=5e-4,
+        rows=100, conditions="f1 { type fixed; part l; } f2 { type fixed; part r; } "
+        "g { type force; set p.zMax; value (0 0 -2000); distribution area; "
+        "amplitude smooth ((0 0) (1e-4 1)); }",
+        initial="v { type velocity; part p; value (20000 0 0); }",
+        pairs="a { contactor p; target l; normalScale 4; } "
+        "b { contactor p; target r; normalScale 4; }"),
+        ["contactors that left over a free edge while inside"])
+
+
+def stops(binaries, marks):
+    """A run that stops: the series ends with the last good state, the lost one lies in failed/."""
+    crushed = Scene(binaries, bodies=box("a", (0, 0, 0), (10, 10, 10), (2, 2, 2)),
+                    parts=steel("a", more=""), end=1e-3, rows=100, frames=100,
+                    conditions="f { type fixed; set a.zMin; } d { type displacement; set a.zMax; "
+                    "value (0 0 -15); components (z); amplitude smooth ((0 0) (1e-3 1)); }")
+    with crushed as case:
+        case.mesh()
+        done = case.start("fpmExplicit", "-threads", "1")
+        marks.true("it stops by itself", done.returncode == STOPPED)
+        status = case.status()
+        marks.true("status failed", status["state"] == "failed")
+        series = (case.root / "case.vtkhdf.series").read_text()
+        last = max(float(p.parent.name) for p in case.root.glob("*/fields.vtkhdf")
+                   if p.parent.name != "failed")
+        marks.true("the last frame is before the stop", 0 < last < float(status["time"]))
+        marks.true("failed/ is no frame", "failed" not in series
+                   and (case.root / "failed/fields.vtkhdf").exists())
+        marks.true("the cause is kept",
+                   (case.root / "why.txt").read_text().strip() in done.stdout)
+        marks.true("the health of a stopped run is told", bool(rowsOf(case)))
+
+
+def ramp(binaries, marks):
+    """A smooth ramp begins with energies of 1e-16, which are rounded to a few per cent."""
+    with pressed(binaries, "normalDamping 0.1;", 0.02, end=1e-2, control="") as case:
+        case.replace("system/controlDict", r"^historyInterval .*;", "historyInterval 0;")
+        case.mesh()
+        log = case.run("fpmExplicit", "-maxSteps", "400")
+        energies = case.energies()
+        error = [abs(t - x) for t, x in zip(energies["total"], energies["external"])]
+        most, worst = 0.0, 0.0
+        for row, of in enumerate(error):
+            most = max(most, energies["kinetic"][row], energies["internal"][row],
+                       abs(energies["external"][row]))
+            worst = max(worst, of / most if row > 10 else 0)
+        marks.within("worst error over the energies so far", worst, 0.01, 10)
+        marks.below("balance", case.worstBalance(), 1e-3)
+        marks.true("no warning, healthy", "warning" not in log and findings(case) == [])
+
+
+def histories(binaries, marks):
+    """Energies are kept without being asked for, every table names its units."""
+    with pressed(binaries, "", 0.02) as case:
+        case.replace("system/controlDict", r"^energies \{ type energies; \}$", "")
+        case.mesh()
+        case.solve()
+        energies = case.root / "postProcessing/energies/0/energies.dat"
+        lines = energies.read_text().splitlines()
+        marks.true("units of the energies", lines[1].startswith("# unit s mJ mJ"))
+        marks.true("names of the energies", lines[2].startswith("# time kinetic internal"))
+        force = case.contact("p")
+        marks.true("depths", max(force["maxDepth"]) >= max(force["meanDepth"]) > 0)
+        marks.true("units of the force", (case.root / "postProcessing/contactForces/0/p.dat")
+                   .read_text().splitlines()[1] == "# unit s N N N - mm mm")
