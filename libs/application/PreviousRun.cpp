@@ -203,21 +203,41 @@ void emptyPrevious(const fs::path& previous)
     removeFiles(previous, files);
 }
 
-void keepResults(const fs::path& root, const std::vector<std::string>& files, Log& log)
+/// Room in `previous` for what is moved next.
+void openPrevious(const fs::path& previous)
+{
+    std::error_code error;
+    const bool isNew = !fs::exists(fs::symlink_status(previous, error))
+                       || (isPlainFolder(previous) && fs::is_empty(previous, error));
+    if (!isNew && !isPreviousRun(previous)) refusePrevious(previous, "was not made by fpmExplicit");
+    if (!isNew) emptyPrevious(previous);
+    setMarker(previous, moving);
+}
+
+/// Whether the earlier run came no further than its start: that is not worth the results of the run
+/// before it.
+bool hasOnlyStarted(const fs::path& root, const std::vector<std::string>& files)
+{
+    const auto status = readStatus(root);
+    const auto frames = std::count_if(files.begin(), files.end(), [](const std::string& file) {
+        return file.ends_with("/fields.vtkhdf");
+    });
+    return status && status->steps == 0 && frames <= 1;
+}
+
+void keepResults(const fs::path& root, std::vector<std::string> files, Log& log)
 {
     const fs::path previous = root / previousFolder;
     const bool goesOn = isPreviousRun(previous) && isMoving(previous);
     if (files.empty() && !goesOn) return;
     const std::string run = runOf(root);
-    if (!goesOn) {
-        std::error_code error;
-        const bool isNew = !fs::exists(fs::symlink_status(previous, error))
-                           || (isPlainFolder(previous) && fs::is_empty(previous, error));
-        if (!isNew && !isPreviousRun(previous))
-            refusePrevious(previous, "was not made by fpmExplicit");
-        if (!isNew) emptyPrevious(previous);
-        setMarker(previous, moving);
+    if (!goesOn && !resultFiles(previous).empty() && hasOnlyStarted(root, files)) {
+        std::reverse(files.begin(), files.end()); // the status last, so that a rest is known again
+        removeFiles(root, files);
+        return log.line(
+            format("removed what {} left at its start; {}/ is kept", run, previousFolder));
     }
+    if (!goesOn) openPrevious(previous);
     for (const std::string& file : files) moveFile(root, file);
     keepMesh(root);
     setMarker(previous, complete);

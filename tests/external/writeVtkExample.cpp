@@ -1,3 +1,4 @@
+#include "io/Frames.h"
 #include "io/VtkHdf.h"
 #include "mesh/MeshFile.h"
 #include "mesh/Patches.h"
@@ -20,6 +21,7 @@ static void writeExample(const std::filesystem::path& folder)
     for (const double time : {0.0, 5e-5}) {
         Frame frame;
         frame.time = time;
+        frame.runId = "one";
         ResultField displacement{"U", 3, {}}, stress{"S", 6, {}}, strain{"PEEQ", 1, {}};
         for (const auto& x : mesh.points)
             for (const double one : {x[1], -x[0], 0.5 * x[2]})
@@ -33,6 +35,7 @@ static void writeExample(const std::filesystem::path& folder)
         frame.elementFields = {stress, strain};
         writeFrame(folder, timeName(time), frame, mesh.points.size(), mesh.hexahedra.size());
     }
+    writeSeries(folder, "one", {timeName(0), timeName(5e-5)});
 }
 
 int main(int argc, char** argv)

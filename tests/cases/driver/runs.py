@@ -177,6 +177,11 @@ def modes(case, marks):
     before = state(case)
     control = case.root / "system/controlDict"
     text = control.read_text()
+    case.run("fpmExplicit", "-dryRun")
+    control.write_text(text + "previousRun often;\n")
+    done = case.start("fpmExplicit")
+    marks.true("neither a dry run nor a wrong word moves anything",
+               done.returncode == 3 and state(case) == before and len(frames(case.root)) == 6)
     control.write_text(text + "previousRun refuse;\n")
     done = case.start("fpmExplicit")
     marks.true(f"refuse: status {done.returncode}", done.returncode == 6 and state(case) == before

@@ -140,6 +140,19 @@ TEST_F(PreviousRun, IsReplacedByTheNextOne)
     EXPECT_EQ(outsidePrevious(), ownAnd({}));
 }
 
+TEST_F(PreviousRun, IsNotReplacedByARunThatOnlyStarted)
+{
+    clear();
+    const auto before = previous();
+    second.frame("0");
+    second.marked("postProcessing/tip/0/displacement.dat");
+    folder.write("status", "state running; runId \"two\"; steps 0;\n");
+
+    EXPECT_EQ(clear(), "removed what run two left at its start; previous/ is kept\n");
+    EXPECT_EQ(previous(), before);
+    EXPECT_EQ(outsidePrevious(), ownAnd({}));
+}
+
 TEST_F(PreviousRun, GoesWithoutTheMeshOfAnother)
 {
     first.mesh("fedcba9876543210"); // made after the run

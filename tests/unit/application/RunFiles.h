@@ -41,6 +41,7 @@ public:
         RunStatus status;
         status.state = state;
         status.runId = runId_;
+        status.steps = 10;
         folder_.write("status", status.text());
     }
     /// Frames at the times given, a history, a table, a picture, a plot, performance, series.

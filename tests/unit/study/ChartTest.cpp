@@ -164,6 +164,24 @@ TEST_F(ChartTest, DrawsFailedRunsHollowWithTheirCause)
     EXPECT_TRUE(contains(result("tip.svg"), "Pareto front"));
 }
 
+TEST_F(ChartTest, RefusesAHistoryOfAnotherRunThanStatusNames)
+{
+    chart("1 2", "expression \"t\";");
+    const std::string run = "postProcessing/chart/c/runs/n_2/",
+                      table = run + "postProcessing/tip/0/displacement.dat";
+    folder_.write(table,
+                  "# fpm run one postProcessing/tip/0/displacement.dat\n" + folder_.read(table));
+    folder_.write(run + "status", "state finished; runId two;\n");
+
+    try {
+        chart("1 2", "expression \"t\";");
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_TRUE(contains(error.what(), "displacement.dat is of run one, but"));
+        EXPECT_TRUE(contains(error.what(), "n_2/status names run two"));
+    }
+}
+
 TEST_F(ChartTest, NewReferencesAndProbesRunNothingAgain)
 {
     chart("1 2", "expression \"t\";");
