@@ -1,5 +1,6 @@
 #include "solver/Histories.h"
 
+#include "base/Format.h"
 #include "io/RunMark.h"
 #include "mesh/Vector.h"
 #include "model/CaseReader.h"
@@ -41,6 +42,13 @@ std::vector<Column> contactColumns()
     columns.push_back({"active", Quantity::none});
     columns.push_back({"maxDepth", Quantity::length});
     columns.push_back({"meanDepth", Quantity::length});
+    return columns;
+}
+
+std::vector<Column> reactionColumns()
+{
+    std::vector<Column> columns{{"time", Quantity::time}, {"travel", Quantity::length}};
+    addVector(columns, "f", Quantity::force);
     return columns;
 }
 
@@ -91,6 +99,37 @@ Condition driveOf(const History& history, const Model& model, std::vector<double
 
 } // namespace
 
+std::vector<HistoryTable> tablesOf(const History& history, const Model& model)
+{
+    std::vector<HistoryTable> tables;
+    const auto add = [&](const std::string& name, const std::vector<Column>& columns) {
+        HistoryTable& table = tables.emplace_back(HistoryTable{name, {}, {}});
+        for (const Column& column : columns) {
+            table.columns.push_back(column.name);
+            table.units.push_back(unitOf(column.quantity, model.units));
+        }
+    };
+    switch (history.kind) {
+    case History::Kind::energies:
+        add("energies", energyColumns());
+        break;
+    case History::Kind::contactForces:
+        for (const ContactPair& pair : model.contactPairs) add(pair.name, contactColumns());
+        break;
+    case History::Kind::point:
+        for (const std::string& field : history.fields)
+            add(field, pointColumns(fieldQuantity(field)));
+        break;
+    case History::Kind::reaction:
+        add("reaction", reactionColumns());
+        break;
+    case History::Kind::rigidBody:
+        add("rigidBody", rigidBodyColumns());
+        break;
+    }
+    return tables;
+}
+
 Histories::Histories(const std::filesystem::path& caseRoot,
                      const Model& model,
                      const std::string& runId)
@@ -98,41 +137,16 @@ Histories::Histories(const std::filesystem::path& caseRoot,
 {
     for (const History& history : model.control.histories) {
         Channel channel{&history, {}, {}, {}};
-        const std::string folder = "postProcessing/" + history.name + "/0/";
-        const auto add = [&](const std::string& name, const std::vector<Column>& columns) {
-            const std::string file = folder + name + ".dat";
-            std::vector<std::string> names, notes;
-            if (!runId.empty()) notes.push_back(RunMark{runId, file}.text());
-            std::string units = "unit"; // one a column
-            for (const Column& column : columns) {
-                names.push_back(column.name);
-                units += " " + unitOf(column.quantity, model.units);
-            }
-            notes.push_back(units);
-            channel.files.push_back(std::make_unique<HistoryFile>(caseRoot / file, names, notes));
-        };
-        switch (history.kind) {
-        case History::Kind::energies:
-            add("energies", energyColumns());
-            break;
-        case History::Kind::contactForces:
-            for (const ContactPair& pair : model.contactPairs) add(pair.name, contactColumns());
-            break;
-        case History::Kind::point:
-            for (const std::string& field : history.fields)
-                add(field, pointColumns(fieldQuantity(field)));
-            break;
-        case History::Kind::reaction:
-            add("reaction", {{"time", Quantity::time},
-                             {"travel", Quantity::length},
-                             {"fx", Quantity::force},
-                             {"fy", Quantity::force},
-                             {"fz", Quantity::force}});
+        if (history.kind == History::Kind::reaction)
             channel.drive = driveOf(history, model, channel.driveRows);
-            break;
-        case History::Kind::rigidBody:
-            add("rigidBody", rigidBodyColumns());
-            break;
+        for (const HistoryTable& table : tablesOf(history, model)) {
+            const std::string file = format("postProcessing/{}/0/{}.dat", history.name, table.name);
+            std::vector<std::string> notes;
+            if (!runId.empty()) notes.push_back(RunMark{runId, file}.text());
+            notes.emplace_back("unit"); // one a column
+            for (const std::string& unit : table.units) notes.back() += " " + unit;
+            channel.files.push_back(
+                std::make_unique<HistoryFile>(caseRoot / file, table.columns, notes));
         }
         channels_.push_back(std::move(channel));
     }

@@ -9,6 +9,13 @@
 
 namespace fpm {
 
+/// One file of a history: its name without ending, its columns and their units.
+struct HistoryTable {
+    std::string name;
+    std::vector<std::string> columns, units;
+};
+std::vector<HistoryTable> tablesOf(const History& history, const Model& model);
+
 /// The history files of a run: postProcessing/<name>/0/*.dat, one row a sample.
 class Histories
 {

@@ -42,23 +42,9 @@ double bytesOf(const Frame& frame)
 double historyColumns(const Model& model)
 {
     double columns = 0;
-    for (const History& history : model.control.histories) switch (history.kind) {
-        case History::Kind::energies:
-            columns += double(energyColumns().size());
-            break;
-        case History::Kind::contactForces:
-            columns += 5.0 * double(model.contactPairs.size());
-            break;
-        case History::Kind::point:
-            columns += 4.0 * double(history.fields.size());
-            break;
-        case History::Kind::reaction:
-            columns += 5;
-            break;
-        case History::Kind::rigidBody:
-            columns += double(rigidBodyColumns().size());
-            break;
-        }
+    for (const History& history : model.control.histories)
+        for (const HistoryTable& table : tablesOf(history, model))
+            columns += double(table.columns.size());
     return columns;
 }
 

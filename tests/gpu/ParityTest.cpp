@@ -56,9 +56,8 @@ Outcome outcomeOf(Solver& solver, const Model& model)
 {
     Outcome out{solver.stateChecksum(), {}};
     const Energies e = solver.energies();
-    out.add("energies",
-            {e.time, e.kinetic, e.internal, e.plastic, e.bending, e.hourglass, e.bulkViscosity,
-             e.contact, e.friction, e.contactDamping, e.damping, e.external});
+    out.add("energies", {e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity,
+                         e.contact, e.friction, e.contactDamping, e.damping, e.external});
     const NodalWorks w = solver.nodalWorks();
     out.add("works", {w.internal, w.contact, w.external, w.drives, w.damping});
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
