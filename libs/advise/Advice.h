@@ -22,6 +22,8 @@ struct Advice {
     bool measureOnly = false;  ///< nothing but a comparison can tell whether it holds
     std::string part = {};     ///< that it is about; of several pieces the first is applied
     std::string measured = {}; ///< by -measure: the largest difference of all histories
+    /// Whether a copy of the case can be made that follows it; else it is a hint to a person.
+    bool isMade() const { return kind == "symmetry" || !edits.empty(); }
 };
 
 void printAdvice(const std::vector<Advice>& advice, Log& log);

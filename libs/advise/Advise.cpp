@@ -108,6 +108,7 @@ void advise(Run& run)
     };
     add(hourglassAdvice(model, results));
     if (results) add(contactStepAdvice(model, *results));
+    add(elementsAdvice(model));
     add(threadsAdvice(model, int(std::max(1u, std::thread::hardware_concurrency()))));
     for (Advice& one : outputAdvice(model, run.theCase)) advice.push_back(std::move(one));
     run.log.line();

@@ -24,6 +24,7 @@ struct CaseEdits {
     void keep(const std::string& file, const std::string& path, const std::string& value);
     void remove(const std::string& file, const std::string& path, const std::string& note);
     void add(const CaseEdits& others);
+    bool empty() const { return changes.empty() && removals.empty() && additions.empty(); }
     /// Throws InputError where one cannot be made.
     void make(const Case& theCase, const std::filesystem::path& copy) const;
 };

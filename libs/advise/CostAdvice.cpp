@@ -1,6 +1,9 @@
 #include "advise/CostAdvice.h"
 
 #include "base/Format.h"
+#include "mesh/SmallElements.h"
+
+#include <cmath>
 
 namespace fpm {
 
@@ -14,6 +17,13 @@ std::string listOf(const std::vector<std::string>& names)
     std::string text = names.size() > 1 ? "parts" : "part";
     for (const std::string& name : names) text += " " + name;
     return text;
+}
+
+/// Of waves of compression.
+double waveSpeed(const Part& part)
+{
+    const double nu = part.poissonsRatio;
+    return std::sqrt(part.youngsModulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu) * part.density));
 }
 
 /// Whether the hourglass control of a part that may yield stays elastic.
@@ -90,6 +100,27 @@ std::optional<Advice> contactStepAdvice(const Model& model, const Results& resul
         advice.edits.set("system/contactDict", "pairs." + pair.name + ".normalScale",
                          toText(0.3 * pair.normalScale));
     return advice;
+}
+
+std::optional<Advice> elementsAdvice(const Model& model)
+{
+    std::vector<double> steps = elementHeights(model.mesh);
+    for (std::size_t e = 0; e < steps.size(); ++e) {
+        const Part& part = model.parts[std::size_t(model.mesh.partOf(Index(e)))];
+        if (part.targetStep > 0) return {}; // mass scaling has seen to it
+        steps[e] = isRigid(part.kind) ? 0 : steps[e] / waveSpeed(part);
+    }
+    const auto few = smallElements(model.mesh, steps);
+    if (!few) return {};
+    return Advice{
+        "elements",
+        smallElementsText(*few) + " set the time step",
+        format("a wave crosses them {} times as fast as most elements", toText(few->ratio(), 3)),
+        format("up to {} % of the steps", toText(100 * (1 - 1 / few->ratio()), 2)),
+        "larger elements there, or massScaling.targetStep where inertia matters little: "
+        "fpmExplicit -dryRun gives the mass it adds",
+        {},
+        false};
 }
 
 std::optional<Advice> threadsAdvice(const Model& model, int cores)

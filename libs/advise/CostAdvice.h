@@ -14,6 +14,10 @@ std::optional<Advice> hourglassAdvice(const Model& model, const std::optional<Re
 /// Runs whose steps were shorter than their elements allow, since contact springs bound them.
 std::optional<Advice> contactStepAdvice(const Model& model, const Results& results);
 
+/// A few elements so small that the time step of all follows from them: no edit of a
+/// dictionary cures it.
+std::optional<Advice> elementsAdvice(const Model& model);
+
 /// A number of threads that does not fit a machine with so many cores.
 std::optional<Advice> threadsAdvice(const Model& model, int cores);
 

@@ -181,6 +181,7 @@ void measureAdvice(const Case& theCase, const Model& model, std::vector<Advice>&
     const RunRow whole = runWhole(shop.at("whole"), "the case as it is");
     log.line(format("the case as it is: {} s", toText(whole.wall, 3)));
     for (std::size_t i = 0; i < advice.size(); ++i) {
+        if (!advice[i].isMade()) continue;
         const bool cut = advice[i].kind == "symmetry";
         const fs::path folder = shop.at(format("{}", i));
         writeReducedCase(theCase, {advice[i]}, cut, folder, quiet);

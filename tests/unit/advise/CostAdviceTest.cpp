@@ -84,6 +84,30 @@ TEST_F(CostAdviceTest, StepsThatElementsOrTheUserSetAreNoMatterOfContact)
     EXPECT_FALSE(contactStepAdvice(model, results));
 }
 
+TEST_F(CostAdviceTest, AFewSmallElementsThatSetTheStepAreNamed)
+{
+    EXPECT_FALSE(elementsAdvice(model));
+    Model sliver;
+    addBox(sliver.mesh, "even", {10, 5, 1}, {0, 0, 0}, {10, 5, 1});
+    addBox(sliver.mesh, "thin", {1, 1, 1}, {0, 0, 2}, {1, 1, 0.1});
+    sliver.parts = {aluminium(PartKind::elastic, HourglassForm::physical, "even"),
+                    aluminium(PartKind::elastic, HourglassForm::physical, "thin")};
+    const auto advice = elementsAdvice(sliver);
+    ASSERT_TRUE(advice);
+    EXPECT_TRUE(says(advice->subject, "1 of 51 elements (part thin")) << advice->subject;
+    EXPECT_TRUE(says(advice->reason, "10 times as fast"));
+    EXPECT_TRUE(says(advice->saving, "up to 90 % of the steps"));
+    EXPECT_FALSE(advice->isMade());
+    sliver.parts[1].density *= 100; // waves in it are as slow
+    EXPECT_FALSE(elementsAdvice(sliver));
+    sliver.parts[1].density /= 100;
+    sliver.parts[1].targetStep = 1e-7;
+    EXPECT_FALSE(elementsAdvice(sliver)) << "its mass is scaled";
+    sliver.parts[1].targetStep = 0;
+    sliver.parts[1].kind = PartKind::rigidFree;
+    EXPECT_FALSE(elementsAdvice(sliver));
+}
+
 TEST_F(CostAdviceTest, ThreadsShouldFitTheMachine)
 {
     EXPECT_FALSE(threadsAdvice(model, 2)) << "threads 0 follows the idle cores";
