@@ -3,7 +3,6 @@
 #include "base/Format.h"
 #include "mesh/Vector.h"
 #include "solver/ElementStep.h"
-#include "solver/Performance.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +53,7 @@ Crushed crushedOf(Solver& solver, const Model& model)
         double shortest = 1e300, longest = 0;
         for (const auto& edge : edges) {
             const double ratio = edgeLength(now, edge) / edgeLength(before, edge);
+            if (!std::isfinite(ratio)) return {e, 1, 1, ratio, {}};
             shortest = std::min(shortest, ratio);
             longest = std::max(longest, ratio);
         }
@@ -95,9 +95,8 @@ std::string adviceFor(const Part& part, const Crushed& crushed)
 Inversion inversionOf(Solver& solver, const Model& model)
 {
     const Crushed crushed = crushedOf(solver, model);
-    if (crushed.element < 0)
-        return {worstElement(solver, model),
-                "try a smaller timeStep.safety or normalScale, and see the element named"};
+    if (crushed.element < 0 || !std::isfinite(crushed.longest))
+        return {"velocities, places or forces are no numbers any more", noNumberAdvice};
     const Part& part = model.parts[std::size_t(model.mesh.partOf(crushed.element))];
     const Point& at = crushed.place;
     return {format("element {} of part {}{} no positive volume any more: at ({} {} {}), its edges "

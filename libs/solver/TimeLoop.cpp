@@ -152,7 +152,7 @@ private:
         energies_ = energies;
         const double error = std::abs(energies.balance);
         if (!std::isfinite(energies.total))
-            fail(format("the energy is not a number at time {}", clock_.time));
+            fail(format("the energy is not a number at time {}", clock_.time), noNumberAdvice);
         // The first steps of a drive from rest: nothing to measure the error by yet.
         if (clock_.steps < Health::judgedSteps) return;
         if (error > control_.energyStop)
@@ -185,7 +185,8 @@ private:
     {
         if (clock_.failed == 2)
             fail(format("step {} at time {}: timeStep.fixed {} is beyond the stable step {}",
-                        clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep));
+                        clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep),
+                 "give a smaller one, or leave it out: the step then follows from stability");
         if (clock_.failed) {
             const Inversion found = inversionOf(solver_, model_);
             fail(format("step {} at time {}: {}", clock_.steps, clock_.time, found.what),
