@@ -1,4 +1,5 @@
 #include "application/Application.h"
+#include "application/PreviousRun.h"
 #include "base/Format.h"
 #include "mesh/MeshFile.h"
 #include "mesher/Mesher.h"
@@ -17,6 +18,7 @@ int main(int argc, char** argv)
         const fpm::Mesh mesh =
             fpm::makeMesh(run.dictionary(), run.theCase, run.has("allowGeo"), run.log);
         const std::string file = "constant/mesh.vtkhdf";
+        fpm::keepMeshOfFrames(run.theCase.root());
         fpm::writeMesh(run.theCase.path(file), mesh);
         run.log.line(
             fpm::format("wrote {}: {} elements, {} nodes, {} parts, {} side sets, {} node sets",

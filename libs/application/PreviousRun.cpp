@@ -20,6 +20,7 @@ namespace {
 
 constexpr const char* markerFile = ".fpmPrevious";
 constexpr const char* meshFile = "constant/mesh.vtkhdf";
+constexpr const char* keptMesh = ".mesh.vtkhdf"; // of frames in the case, once there is another
 constexpr const char* moving = "state moving;\n";
 constexpr const char* complete = "state complete;\n";
 
@@ -181,18 +182,30 @@ std::string meshOfFrames(const fs::path& root)
     }
 }
 
-/// Frames are shown through a link to the mesh: it goes with them while it is still there.
-void keepMesh(const fs::path& root)
+/// Whether a mesh file can be read and has this checksum.
+bool hasChecksum(const fs::path& mesh, const std::string& checksum)
+{
+    try {
+        return !checksum.empty() && meshChecksumIn(mesh) == checksum;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// Frames are shown through a link to the mesh: it goes with them, from where it is still there.
+void moveMesh(const fs::path& root)
 {
     const fs::path previous = root / previousFolder, target = previous / meshFile;
-    if (fs::exists(fs::symlink_status(target))) return;
     const std::string checksum = meshOfFrames(previous);
-    if (checksum.empty() || checksum != meshChecksumOf(root)) return;
-    fs::create_directories(target.parent_path());
-    const auto mesh = fs::canonical(root / meshFile);
-    std::error_code error;
-    fs::create_hard_link(mesh, target, error);
-    if (error) fs::copy_file(mesh, target);
+    for (const char* place : {keptMesh, meshFile}) {
+        const fs::path mesh = root / place;
+        if (fs::exists(fs::symlink_status(target))) break;
+        if (!hasChecksum(mesh, checksum)) continue;
+        fs::create_directories(target.parent_path());
+        std::error_code error;
+        fs::create_hard_link(fs::canonical(mesh), target, error);
+        if (error) fs::copy_file(mesh, target);
+    }
 }
 
 /// Leaves what a person has put there.
@@ -239,7 +252,7 @@ void keepResults(const fs::path& root, std::vector<std::string> files, Log& log)
     }
     if (!goesOn) openPrevious(previous);
     for (const std::string& file : files) moveFile(root, file);
-    keepMesh(root);
+    moveMesh(root);
     setMarker(previous, complete);
     log.line(format("moved into {}/ what {} left: {}", previousFolder, run,
                     counts(resultFiles(previous))));
@@ -287,6 +300,15 @@ void clearForRun(const fs::path& caseRoot, const std::string& mode, Log& log)
         removeResults(caseRoot, files, log);
     else
         keepResults(caseRoot, files, log);
+    if (isPlainFile(caseRoot / keptMesh)) fs::remove(caseRoot / keptMesh);
+}
+
+void keepMeshOfFrames(const fs::path& caseRoot)
+{
+    if (!hasChecksum(caseRoot / meshFile, meshOfFrames(caseRoot))) return;
+    std::error_code error;
+    fs::remove(caseRoot / keptMesh, error);
+    fs::create_hard_link(fs::canonical(caseRoot / meshFile), caseRoot / keptMesh, error);
 }
 
 void sweepTemporaries(const fs::path& caseRoot)

@@ -25,6 +25,10 @@ bool isPreviousRun(const std::filesystem::path& folder);
 /// next call goes on with it. Throws Error(fileIo) where `previous` is not ours.
 void clearForRun(const std::filesystem::path& caseRoot, const std::string& mode, Log& log);
 
+/// Called before the mesh is replaced: frames in the case are shown through a link to it, so it is
+/// kept until they go into `previous`. Does nothing where the file system knows no hard links.
+void keepMeshOfFrames(const std::filesystem::path& caseRoot);
+
 /// Removes the temporary files that killed programs left in a case; the caller holds its lock.
 void sweepTemporaries(const std::filesystem::path& caseRoot);
 

@@ -85,12 +85,16 @@ bool isFrame(const fs::path& caseRoot, const std::string& file)
     return timeOf(fs::path(file).parent_path().string()) && beginsAsFrame(path);
 }
 
-std::string meshChecksumOf(const fs::path& caseRoot)
+std::string meshChecksumIn(const fs::path& file)
 {
-    const auto file = caseRoot / "constant" / "mesh.vtkhdf";
     if (!fs::exists(file)) return "";
     const auto label = readLabel(file);
     return label ? label->mesh : Hdf5Reader(file).text("/fpm", "meshChecksum");
+}
+
+std::string meshChecksumOf(const fs::path& caseRoot)
+{
+    return meshChecksumIn(caseRoot / "constant" / "mesh.vtkhdf");
 }
 
 void writeSeries(const fs::path& caseRoot,

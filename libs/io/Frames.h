@@ -23,8 +23,10 @@ std::vector<FrameFile> listFrames(const std::filesystem::path& caseRoot);
 /// a time folder, where it has none or is cut short, by its first bytes. Links are none.
 bool isFrame(const std::filesystem::path& caseRoot, const std::string& file);
 
-/// Checksum in constant/mesh.vtkhdf; empty where there is no such file. Throws Error(mesh) for a
-/// damaged one.
+/// Checksum in a mesh file; empty where there is no such file. Throws Error(mesh) for a damaged
+/// one.
+std::string meshChecksumIn(const std::filesystem::path& file);
+/// Of constant/mesh.vtkhdf.
 std::string meshChecksumOf(const std::filesystem::path& caseRoot);
 
 /// Writes case.vtkhdf.series and, for ParaView before 5.12, case.hdf.series: JSON with the run and

@@ -74,7 +74,7 @@ def check(binaries, marks):
                    and int(first["pid"]) > 0 and first["host"] and first["started"])
         shorter(case)
         output = case.run("fpmExplicit")
-        told = (f"moved into previous/ what run {first['runId']} left: 6 frames, 3 tables, "
+        told = (f"moved into previous/ what run {first['runId']} left: 6 frames, 4 tables, "
                 "3 pictures")
         marks.true(told, told in output)
         probed = case.run("fpmProbe")
@@ -109,7 +109,11 @@ def newMesh(case, marks):
     marks.true("frames of the old mesh are left out by fpmProbe", left in case.run("fpmProbe"))
     marks.true("and by fpmAdvise", left in case.run("fpmAdvise"))
     marks.true("no picture is made of them", pictures(case.root) == before)
+    old = (case.root / ".mesh.vtkhdf").read_bytes()
     case.run("fpmExplicit")
+    marks.true("the old mesh goes with its frames",
+               (case.root / "previous/constant/mesh.vtkhdf").read_bytes() == old
+               and not (case.root / ".mesh.vtkhdf").exists())
     marks.true("a run on the new mesh is drawn", "left out" not in case.run("fpmProbe"))
     file = case.root / "5e-06/fields.vtkhdf"
     file.write_bytes(file.read_bytes()[:-100])
@@ -138,7 +142,8 @@ def ends(binaries, marks):
         case.run("fpmExplicit")
         probed = case.run("fpmProbe")
         marks.true("a good run after them is all there is", "warning" not in probed
-                   and not (case.root / "why.txt").exists() and len(frames(case.root)) == 6
+                   and not (case.root / "why.txt").exists() and not (case.root / "failed").exists()
+                   and len(frames(case.root)) == 6
                    and case.table("tip/0/displacement.dat")["time"][-1] == 1e-5)
         modes(case, marks)
 

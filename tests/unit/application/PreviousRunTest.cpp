@@ -153,9 +153,24 @@ TEST_F(PreviousRun, IsNotReplacedByARunThatOnlyStarted)
     EXPECT_EQ(outsidePrevious(), ownAnd({}));
 }
 
+TEST_F(PreviousRun, GoesWithItsMeshWhereThereIsAnotherNow)
+{
+    keepMeshOfFrames(folder.root());
+    first.mesh("fedcba9876543210");
+    keepMeshOfFrames(folder.root()); // twice meshed again
+    folder.write("constant/mesh.vtkhdf", "damaged");
+    keepMeshOfFrames(folder.root());
+
+    clear();
+
+    EXPECT_EQ(previous(), with(resultsOfRun, "constant/mesh.vtkhdf"));
+    EXPECT_EQ(meshChecksumOf(folder.root() / "previous"), "0123456789abcdef");
+    EXPECT_EQ(outsidePrevious(), ownAnd({}));
+}
+
 TEST_F(PreviousRun, GoesWithoutTheMeshOfAnother)
 {
-    first.mesh("fedcba9876543210"); // made after the run
+    first.mesh("fedcba9876543210"); // in a way that does not keep the old one
 
     clear();
 
