@@ -19,7 +19,7 @@ struct HealthLimits {
     /// Penetration over the thickness of the target: beyond the whole it is let go.
     static constexpr double depthOfThickness = 0.5;
     /// Friction delivered over that of Coulomb while a pair slides: smooth sliding reaches 0.99.
-    static constexpr double friction = 0.93;
+    static constexpr double friction = 0.95;
     /// Mass added by scaling over the body's own where nobody watches the inertia.
     static constexpr double addedMass = 0.05;
     /// Rigid motion over all kinetic energy of a body that should come to rest or move slowly: with

@@ -1,5 +1,7 @@
 #include "solver/resultFrame.h"
 
+#include "solver/ContactPressure.h"
+
 #include <cmath>
 
 namespace fpm {
@@ -26,6 +28,13 @@ ResultField nodeField(const NodeValues& values,
     return field;
 }
 
+std::vector<Point> pointsOf(const NodeValues& values, int quantity)
+{
+    std::vector<Point> out;
+    for (std::size_t i = 0; i < values.count; ++i) out.push_back(values.at(quantity, i));
+    return out;
+}
+
 } // namespace
 
 Frame resultFrame(Solver& solver, const Model& model)
@@ -35,10 +44,15 @@ Frame resultFrame(Solver& solver, const Model& model)
     const NodeValues nodes = solver.nodeValues({});
     frame.nodeFields.push_back(nodeField(nodes, 0, "U", &model.mesh.points));
     frame.nodeFields.push_back(nodeField(nodes, 1, "V", nullptr));
-    if (!model.contactPairs.empty())
-        frame.nodeFields.push_back(nodeField(nodes, 4, "FCONT", nullptr));
-
     const ElementValues elements = solver.elementValues();
+    if (!model.contactPairs.empty()) {
+        frame.nodeFields.push_back(nodeField(nodes, 4, "FCONT", nullptr));
+        frame.nodeFields.push_back(
+            {"CPRESS", 1,
+             contactPressure(model, pointsOf(nodes, 0), pointsOf(nodes, 4),
+                             solver.data().erodes ? elements.deleted : std::vector<bool>{})});
+    }
+
     ResultField stress{"S", 6, elements.stress}, equivalent{"Mises", 1, {}},
         plastic{"PEEQ", 1, elements.plasticStrain}, part{"Part", 1, {}};
     for (std::size_t e = 0; e < elements.plasticStrain.size(); ++e) {

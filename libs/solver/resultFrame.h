@@ -5,7 +5,8 @@
 
 namespace fpm {
 
-/// The fields of one output time: U V FCONT on nodes, S Mises PEEQ Part on elements.
+/// The fields of one output time: U V and, with contact, FCONT CPRESS on nodes, S Mises PEEQ Part
+/// on elements.
 Frame resultFrame(Solver& solver, const Model& model);
 
 } // namespace fpm
