@@ -59,7 +59,8 @@ double factorOf(const History& history, const std::string& column, const Symmetr
     using Kind = History::Kind;
     if (history.kind == Kind::energies)
         return column == "balance" || column == "kineticShare" ? 1 : factor;
-    const bool resultant = column.front() == 'f' || column.front() == 'm';
+    // fx to mz; depths are no sums.
+    const bool resultant = column.size() == 2 && (column[0] == 'f' || column[0] == 'm');
     if (column == "active") return cut.planes.empty() ? 1 : 0;
     for (const MirrorPlane& plane : cut.planes)
         if (column.back() == "xyz"[plane.axis]) return 0;
