@@ -61,7 +61,8 @@ double factorOf(const History& history, const std::string& column, const Symmetr
         return column == "balance" || column == "kineticShare" ? 1 : factor;
     // fx to mz; depths are no sums.
     const bool resultant = column.size() == 2 && (column[0] == 'f' || column[0] == 'm');
-    if (column == "active") return cut.planes.empty() ? 1 : 0;
+    // Nodes on the planes are there once in the half as in the whole.
+    if (column == "active" || column == "meanDepth") return cut.planes.empty() ? 1 : 0;
     for (const MirrorPlane& plane : cut.planes)
         if (column.back() == "xyz"[plane.axis]) return 0;
     const bool summed = history.kind == Kind::contactForces || history.kind == Kind::rigidBody;

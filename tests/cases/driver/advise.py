@@ -60,7 +60,7 @@ def apart(whole, part, factor, skip):
         if len(a["time"]) != len(b["time"]):
             return 1.0, f"{name}: {len(a['time'])} and {len(b['time'])} rows"
         for column in a:
-            if column in ("balance", "active", "travel") or column[-1] in skip and len(column) == 2:
+            if column in ("balance", "active", "meanDepth", "travel") or column[-1] in skip and len(column) == 2:
                 continue
             times = factor if column in ("fx", "fy", "fz") and "reaction" not in str(name) else 1
             if name.parts[0] == "energies" and column not in ("time", "kineticShare"):
