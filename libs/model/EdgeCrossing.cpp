@@ -31,6 +31,11 @@ std::vector<Segment> sharpEdges(const Mesh& mesh,
     std::map<std::pair<Index, Index>, std::vector<Point>> normals;
     for (const ElementSide& side : sides) {
         const Quad quad = mesh.sideNodes(side);
+        const auto isCut = [&](const SurfaceMirror& mirror) { // the scene goes on behind it
+            return std::all_of(quad.begin(), quad.end(),
+                               [&](Index node) { return (*mirror.holds)[std::size_t(node)]; });
+        };
+        if (std::any_of(mirrors.begin(), mirrors.end(), isCut)) continue;
         for (std::size_t k = 0; k < 4; ++k)
             normals[std::minmax(quad[k], quad[(k + 1) % 4])].push_back(areaVector(points, quad));
     }

@@ -1,9 +1,12 @@
 #include "solver/EdgeWatch.h"
 
 #include "base/Format.h"
+#include "mesh/Quality.h"
+#include "mesh/Vector.h"
 #include "solver/Box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace fpm {
@@ -18,6 +21,13 @@ Box boxOf(const Mesh& mesh, const std::vector<Point>& points, const std::vector<
     return box;
 }
 
+/// Width of a mean element.
+double sizeOf(const Mesh& mesh)
+{
+    const Quality all = quality(mesh);
+    return std::cbrt(all.totalVolume / double(mesh.hexahedra.size()));
+}
+
 /// Sides whose elements are not deleted; `deleted` is empty where none can be.
 std::vector<ElementSide> living(std::vector<ElementSide> sides, const std::vector<bool>& deleted)
 {
@@ -30,6 +40,13 @@ std::vector<ElementSide> living(std::vector<ElementSide> sides, const std::vecto
 
 EdgeWatch::EdgeWatch(const Model& model) : model_(model), planes_(mirrorPlanes(model))
 {
+    // A die that ends on the plane does not move out of it, though nothing says so of its nodes.
+    const double close = planes_.empty() ? 0 : 1e-6 * sizeOf(model.mesh);
+    for (MirrorPlane& plane : planes_)
+        for (std::size_t node = 0; node < model.mesh.points.size(); ++node)
+            if (std::abs(vector::dot(model.mesh.points[node], plane.normal) - plane.distance)
+                < close)
+                plane.holds[node] = true;
     for (const MirrorPlane& plane : planes_) mirrors_.push_back({plane.normal, &plane.holds});
     for (const ContactPair& pair : model.contactPairs)
         for (const ContactSurfaces& surfaces : model.mesh.contact)

@@ -61,6 +61,9 @@ TEST(EdgeCrossing, TheRimOfASurfaceOnAPlaneOfSymmetryIsNoEdge)
     const auto lower = top(0, 5), upper = skin(mesh, 1);
     EXPECT_EQ(edgeCrossings(mesh, mesh.points, lower, upper).count, 1u);
     EXPECT_EQ(edgeCrossings(mesh, mesh.points, lower, upper, {{{0, 1, 0}, &onPlane}}).count, 0u);
+    // The side in the plane is no surface, and so makes no edge either.
+    EXPECT_EQ(edgeCrossings(mesh, mesh.points, skin(mesh, 0), upper, {{{0, 1, 0}, &onPlane}}).count,
+              0u);
 }
 
 TEST(EdgeCrossing, SeesNoneWhereTheBodiesAreApart)
