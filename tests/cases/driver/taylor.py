@@ -7,10 +7,12 @@ from driver.curves import readTable, relativeL2
 LENGTH, RADIUS = 21.475, 7.358
 
 
-def run(binaries, core, rings, axial, selective=False):
+def run(binaries, core, rings, axial, selective=False, friction=0):
     case = CaseRun("tutorials/taylorBar", binaries)
     if selective:
         case.replace("constant/partProperties", r"^(?= *bulkViscosity )", "hexahedron selective;\n")
+    if friction:
+        case.replace("system/contactDict", r"friction +0;", f"friction {friction};")
     case.replace("system/meshDict", r"core +\d+;", f"core {core};")
     case.replace("system/meshDict", r"rings +\d+;", f"rings {rings};")
     case.replace("system/meshDict", r"axial +\d+;", f"axial {axial};")
@@ -63,6 +65,17 @@ def judge(binaries, marks, core, rings, axial, programs=None, selective=False):
 
 def quick(binaries, marks):
     judge(binaries, marks, 4, 4, 64, others(4))
+
+
+def friction(binaries, marks):
+    """On a rough wall: the default element beside that with eight points, which no hourglass control
+    holds back, on the same mesh."""
+    with run(binaries, 3, 3, 48, True, 0.2) as case:
+        theirs = measure(case)
+    with run(binaries, 3, 3, 48, False, 0.2) as case:
+        ours = measure(case)
+    for name, value, other in zip(("length", "radius"), ours, theirs):
+        marks.against(f"E1 friction 0.2, 6 elements on the radius: {name}", value, other, 0.01, "mm")
 
 
 def tutorial(binaries, marks):
