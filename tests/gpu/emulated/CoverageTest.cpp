@@ -26,6 +26,8 @@ TEST(EmulatedCoverage, TheScenesLaunchEveryKernelInEveryPrecision)
             const auto solver = startedSolver(scene.model);
             solver->advance(1, 4);
             solver->nodeValues({0});
+            for (std::size_t pair = 0; pair < scene.model.contactPairs.size(); ++pair)
+                solver->pairTouch(pair);
         }
     bench::bandwidthOfGpu(1000, 1);
     std::size_t launches = 0, largest = 0, count = 0;
