@@ -18,8 +18,8 @@ public:
     const std::string& id() const { return status_.runId; }
     /// Entries that `status` has from now on beside its own: "findings 1;\n".
     void tell(const std::string& entries) { status_.more = entries; }
-    /// Writes `status` again. Called about once a second; what fails is told once and does not stop
-    /// the run.
+    /// Writes `status` again. Called about once a second; a failure is reported once and does not
+    /// stop the run.
     void renew(double time, std::int64_t steps, Log& log);
     void end(RunState state, double time, std::int64_t steps);
 

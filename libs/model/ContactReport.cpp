@@ -146,13 +146,14 @@ void reportOverlaps(const Mesh& mesh,
     const std::vector<InitialDepths::Node>& held = fit.depths.held;
     if (held.empty()) {
         if (!fit.depths.astray.empty() && fit.depths.tooDeep.empty())
-            log.warning(format("pair {}: {} contactor nodes lie inside the target, such as node {} "
-                               "at {}, and none "
-                               "of them is held: no face near them looks at them; do the bodies "
-                               "overlap, or is one "
-                               "inside the other?",
-                               pair, fit.depths.astray.size(), fit.depths.astray.front(),
-                               pointText(mesh.points[std::size_t(fit.depths.astray.front())])));
+            log.warning(
+                format("pair {}: {} contactor nodes lie inside the target, such as node {} "
+                       "at {}, and none "
+                       "of them is held: no face near them points towards them; do the bodies "
+                       "overlap, or is one "
+                       "inside the other?",
+                       pair, fit.depths.astray.size(), fit.depths.astray.front(),
+                       pointText(mesh.points[std::size_t(fit.depths.astray.front())])));
         return;
     }
     const auto deepest = std::max_element(

@@ -44,7 +44,7 @@ void refuseOtherTimeSteps(const Dictionary& dictionary)
                             std::string(advice) + "; or remove the entry");
 }
 
-/// OpenFOAM's keys about the look of files mean nothing to this solver.
+/// OpenFOAM's keys about the format of files mean nothing to this solver.
 void readWithoutEffect(const Dictionary& dictionary, Log& log)
 {
     std::vector<std::string> given;

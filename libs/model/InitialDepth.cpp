@@ -77,7 +77,7 @@ Target targetOf(const Mesh& mesh, Index part, const std::vector<ElementSide>& si
     return target;
 }
 
-/// Surfaces in contact look at each other; a node whose own sides look all ways has no say. The
+/// Surfaces in contact face each other; a node whose own sides point all ways has no say. The
 /// bounds are those of the search.
 bool looksAt(const Point& outward, const Point& normal)
 {
@@ -115,7 +115,7 @@ public:
         if (std::isfinite(holder.distance)) return keep(out_.held, node, holder);
         if (same) return;
         // The way out leads through the node's own body: it has come in by that way.
-        // Of a body that is inside as a whole, any face that looks at it is one.
+        // Of a body that is inside as a whole, any face that points towards it is one.
         Own& own = ownBody(ownPart);
         const FaceTree::Hit way = tree_->nearest(point, outward, [&](const FaceTree::Hit& hit) {
             return own.inside ? faces(hit) : own.body.holds(hit.point, -target_.touching);

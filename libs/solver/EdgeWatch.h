@@ -18,7 +18,7 @@ struct EdgeFinding {
 };
 
 /// Watches for edges that node-to-face contact does not see, between the surfaces of pairs and the
-/// bodies of general contact. Each place is told once.
+/// bodies of general contact. Each place is reported once.
 class EdgeWatch
 {
 public:

@@ -9,7 +9,7 @@ namespace fpm {
 struct HealthRow {
     std::string figure;   ///< "hourglass / internal energy, part plate"
     double value = 0;     ///< the worst of the run
-    double limit = 0;     ///< of `value`; 0: it is told, not judged
+    double limit = 0;     ///< of `value`; 0: reported, not judged
     std::string where;    ///< may be empty
     double when = -1;     ///< time of the worst value; < 0: of the run as a whole
     bool finding = false; ///< the verdict is bad

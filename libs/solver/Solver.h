@@ -163,7 +163,8 @@ public:
 /// `audit`: book nodal works of every force family, for tests.
 std::unique_ptr<Solver> makeSolver(const Model& model, bool audit = false);
 /// Threads of the CPU that a run has at most: as many as it may use cores, or OMP_NUM_THREADS,
-/// where openmp is not told otherwise. Without both it follows the cores that are idle (IdleCores).
+/// where openmp has no other instruction. Without both it follows the cores that are idle
+/// (IdleCores).
 int threadCount(const Control& control);
 
 } // namespace fpm

@@ -73,7 +73,7 @@ struct SearchPlan {
         }
         return square;
     }
-    /// The least way that a way told with rounding can be: both its ends were rounded.
+    /// The least distance that a rounded one can stand for: both its ends were rounded.
     FPM_KERNEL static double withoutRounding(double way, double rounding)
     {
         return way > 2 * rounding ? way - 2 * rounding : 0;
