@@ -118,7 +118,7 @@ void reportCrossings(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log
         edgeCrossings(mesh, mesh.points, surfaces.contactorSides, surfaces.targetSides);
     if (found.count > 0)
         log.warning(format("pair {}: {} edges pass through the other surface between their nodes, "
-                           "first at {}: node-to-face contact does not see them",
+                           "deepest at {}: node-to-face contact does not see them",
                            surfaces.pair, found.count, pointText(found.place)));
 }
 

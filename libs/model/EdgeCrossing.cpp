@@ -68,6 +68,26 @@ double piercing(const Segment& segment, const Point& a, const Point& b, const Po
     return u >= 0 && v >= 0 && u + v <= size ? t : -1;
 }
 
+double distanceToSegment(const Point& x, const Point& a, const Point& b)
+{
+    const Point d = difference(b, a), ax = difference(x, a);
+    const double square = dot(d, d), t = square > 0 ? dot(ax, d) / square : 0;
+    return length(difference(x, along(a, std::clamp(t, 0.0, 1.0), d)));
+}
+
+double distanceToTriangle(const Point& x, const Point& a, const Point& b, const Point& c)
+{
+    const Point n = cross(difference(b, a), difference(c, a));
+    const double size = dot(n, n), height = dot(difference(x, a), n);
+    const auto isWithin = [&](const Point& from, const Point& to) {
+        return dot(cross(difference(to, from), difference(x, from)), n) >= 0;
+    };
+    if (size > 0 && isWithin(a, b) && isWithin(b, c) && isWithin(c, a))
+        return std::abs(height) / std::sqrt(size);
+    return std::min(
+        {distanceToSegment(x, a, b), distanceToSegment(x, b, c), distanceToSegment(x, c, a)});
+}
+
 /// Faces as two triangles each, sorted along x, to find those near a segment.
 class Sweep
 {
@@ -89,8 +109,10 @@ public:
                   [](const Face& a, const Face& b) { return a.least[0] < b.least[0]; });
     }
 
-    /// True where the segment enters the surface and leaves it again: outside at both ends.
-    bool crosses(const Segment& s, Point& place) const
+    /// Depth of the middle where the segment enters the surface and leaves it again, outside at
+    /// both ends, in widths of the nearest face or, where it leaves by the other side, in lengths
+    /// of its way through if that is less; 0: it does not.
+    double crosses(const Segment& s, Point& place) const
     {
         double first = 2, last = -1;
         const Face *enters = nullptr, *leaves = nullptr;
@@ -111,9 +133,11 @@ public:
                 leaves = &*face;
             }
         }
-        if (!enters || !leaves || !(first < last)) return false;
+        if (!enters || !leaves || !(first < last)) return 0;
         place = along(s.a, 0.5 * (first + last), difference(s.b, s.a));
-        return isDeep(*enters, place) && isDeep(*leaves, place);
+        const Point n1 = areaVector(points_, enters->quad), n2 = areaVector(points_, leaves->quad);
+        const double through = (last - first) * length(difference(s.b, s.a));
+        return depth(place, dot(n1, n2) < 0 ? through : 1e300);
     }
 
 private:
@@ -121,14 +145,19 @@ private:
         Quad quad;
         Point least, most;
     };
-    /// Further behind the face than a penalty lets surfaces in touch overlap.
-    bool isDeep(const Face& face, const Point& place) const
+    /// Of a place inside, over the width of the nearest face or `most`, if that is less.
+    double depth(const Point& place, double most) const
     {
-        const Point n = areaVector(points_, face.quad);
-        const double twiceArea = length(n);
-        const double depth =
-            dot(difference(points_[std::size_t(face.quad[0])], place), n) / twiceArea;
-        return depth > 0.01 * std::sqrt(0.5 * twiceArea);
+        double least = 1e300, width = most;
+        for (const Face& face : faces_) {
+            const auto x = [&](std::size_t k) { return points_[std::size_t(face.quad[k])]; };
+            const double distance = std::min(distanceToTriangle(place, x(0), x(1), x(2)),
+                                             distanceToTriangle(place, x(0), x(2), x(3)));
+            if (!(distance < least)) continue;
+            least = distance;
+            width = std::min(most, std::sqrt(0.5 * length(areaVector(points_, face.quad))));
+        }
+        return width > 0 ? least / width : 0;
     }
     static bool overlaps(const Face& face, const Segment& s)
     {
@@ -151,9 +180,15 @@ private:
 
 void count(EdgeCrossings& found, const std::vector<Segment>& edges, const Sweep& faces)
 {
+    constexpr double least = 0.01; // as deep do penalties let surfaces in touch overlap
     for (const Segment& edge : edges) {
         Point place;
-        if (faces.crosses(edge, place) && found.count++ == 0) found.place = place;
+        const double depth = faces.crosses(edge, place);
+        if (!(depth > least)) continue;
+        ++found.count;
+        if (!(depth > found.depth)) continue;
+        found.depth = depth;
+        found.place = place;
     }
 }
 

@@ -8,7 +8,8 @@ namespace fpm {
 /// is inside and node-to-face contact does not see it.
 struct EdgeCrossings {
     std::size_t count = 0;
-    Point place{0, 0, 0}; ///< of the first
+    double depth = 0; ///< of the deepest, over the width of a face or its way through a thin body
+    Point place{0, 0, 0}; ///< of the deepest
 };
 
 /// A plane of symmetry, on which a surface goes on as its own mirror image.
@@ -19,7 +20,7 @@ struct SurfaceMirror {
 
 /// Counts the sharp edges (more than 30 degrees between their faces, or one face only) of each
 /// surface whose ends both lie outside the other and whose middle is inside by more than a
-/// hundredth of a face's width. `points` are the present positions of the mesh's nodes.
+/// hundredth of that width. `points` are the present positions of the mesh's nodes.
 EdgeCrossings edgeCrossings(const Mesh& mesh,
                             const std::vector<Point>& points,
                             const std::vector<ElementSide>& contactor,

@@ -4,10 +4,10 @@
 #include "mesh/Quality.h"
 #include "mesh/Vector.h"
 #include "solver/Box.h"
+#include "solver/HealthLimits.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace fpm {
 
@@ -19,6 +19,14 @@ Box boxOf(const Mesh& mesh, const std::vector<Point>& points, const std::vector<
     for (const ElementSide& side : sides)
         for (const Index node : mesh.sideNodes(side)) box.take(points[std::size_t(node)]);
     return box;
+}
+
+void warn(const EdgeFinding& found, Log& log)
+{
+    const Point& at = found.crossings.place;
+    log.warning(format("{}: at time {} {} edges pass through the other surface between their "
+                       "nodes, deepest at ({} {} {}): node-to-face contact does not see them",
+                       found.pair, found.time, found.crossings.count, at[0], at[1], at[2]));
 }
 
 /// Width of a mean element.
@@ -37,6 +45,11 @@ std::vector<ElementSide> living(std::vector<ElementSide> sides, const std::vecto
 }
 
 } // namespace
+
+bool EdgeFinding::isDeep() const
+{
+    return crossings.depth > HealthLimits::depthOfEdge;
+}
 
 EdgeWatch::EdgeWatch(const Model& model) : model_(model), planes_(mirrorPlanes(model))
 {
@@ -125,21 +138,25 @@ void EdgeWatch::check(Solver& solver, Log& log)
         std::vector<Box> boxes;
         for (const auto& sides : group.surfaces) boxes.push_back(boxOf(mesh, points, sides));
         forBoxesThatMeet(boxes, [&](std::size_t a, std::size_t b) {
-            if (group.found.count({a, b}) > 0 || !mayMeet(group, a, b)) return;
-            const EdgeCrossings crossing =
+            EdgeFinding& found = group.found[{a, b}];
+            if (found.isDeep() || !mayMeet(group, a, b)) return;
+            const EdgeCrossings crossings =
                 edgeCrossings(mesh, points, living(group.surfaces[a], deleted),
                               living(group.surfaces[b], deleted), mirrors_);
-            if (crossing.count == 0) return;
-            group.found.insert({a, b});
-            const double time = solver.clock().time;
-            findings_.push_back({name(group, a, b), crossing.count, crossing.place, time});
-            log.warning(format("{}: at time {} {} edges pass through the other surface between "
-                               "their nodes, first at ({} {} {}): node-to-face contact does not "
-                               "see them",
-                               findings_.back().pair, time, crossing.count, crossing.place[0],
-                               crossing.place[1], crossing.place[2]));
+            if (!(crossings.depth > found.crossings.depth)) return;
+            found = {name(group, a, b), crossings, solver.clock().time};
+            if (found.isDeep()) warn(found, log);
         });
     }
+}
+
+std::vector<EdgeFinding> EdgeWatch::findings() const
+{
+    std::vector<EdgeFinding> all;
+    for (const Group& group : groups_)
+        for (const auto& [surfaces, found] : group.found)
+            if (found.crossings.count > 0) all.push_back(found);
+    return all;
 }
 
 } // namespace fpm

@@ -5,20 +5,21 @@
 #include "solver/MirrorPlanes.h"
 #include "solver/Solver.h"
 
-#include <set>
+#include <map>
 
 namespace fpm {
 
 /// Edges of one surface that pass through another between their nodes.
 struct EdgeFinding {
     std::string pair; ///< "pair wires", "pair general, parts a and b"
-    std::size_t count = 0;
-    Point place{0, 0, 0}; ///< of the first
+    EdgeCrossings crossings;
     double time = 0;
+
+    bool isDeep() const;
 };
 
 /// Watches for edges that node-to-face contact does not see, between the surfaces of pairs and the
-/// bodies of general contact. Each place is reported once.
+/// bodies of general contact, which warn once each where edges are deep.
 class EdgeWatch
 {
 public:
@@ -29,7 +30,7 @@ public:
     /// less than a hundredth of the run or a tenth of a second.
     void checkIfDue(Solver& solver, Log& log);
     void check(Solver& solver, Log& log);
-    const std::vector<EdgeFinding>& findings() const { return findings_; }
+    std::vector<EdgeFinding> findings() const;
 
 private:
     /// Surfaces that may meet: the two of a pair, or the bodies of general contact.
@@ -37,7 +38,7 @@ private:
         const ContactPair* pair;
         std::vector<std::vector<ElementSide>> surfaces;
         std::vector<Index> parts; ///< of general contact, as surfaces
-        std::set<std::pair<std::size_t, std::size_t>> found;
+        std::map<std::pair<std::size_t, std::size_t>, EdgeFinding> found; ///< the deepest
     };
     void add(const ContactPair& pair, const ContactSurfaces& surfaces);
     bool mayMeet(const Group& group, std::size_t a, std::size_t b) const;
@@ -50,7 +51,6 @@ private:
     std::vector<SurfaceMirror> mirrors_; ///< of the planes
     std::size_t sides_ = 0;
     double next_ = 0; ///< time of the next check
-    std::vector<EdgeFinding> findings_;
 };
 
 } // namespace fpm

@@ -1,6 +1,7 @@
 #include "solver/Health.h"
 
 #include "base/Format.h"
+#include "solver/HealthLimits.h"
 
 namespace fpm {
 
@@ -29,13 +30,16 @@ HealthRows Health::rows(Solver& solver, const EdgeWatch& edges) const
 {
     HealthRows rows = sampledRows();
     contact_.addCounts(solver, rows);
-    for (const EdgeFinding& edge : edges.findings())
-        rows.push_back({"edges that pass through the other surface", double(edge.count), 0,
-                        format("{}, first at ({} {} {})", edge.pair, edge.place[0], edge.place[1],
-                               edge.place[2]),
-                        edge.time, true,
+    for (const EdgeFinding& edge : edges.findings()) {
+        const Point& at = edge.crossings.place;
+        rows.push_back({"edges that pass through the other surface / width of a face",
+                        edge.crossings.depth, HealthLimits::depthOfEdge,
+                        format("{}, {} edges, deepest at ({} {} {})", edge.pair,
+                               edge.crossings.count, at[0], at[1], at[2]),
+                        edge.time, edge.isDeep(),
                         "node-to-face contact does not see edges between their nodes: round the "
                         "edges, or make elements along them smaller than the other body"});
+    }
     motion_.addRows(solver, rows);
     return rows;
 }

@@ -18,6 +18,10 @@ struct HealthLimits {
     static constexpr double depthOfFace = 0.25;
     /// Penetration over the thickness of the target: beyond the whole it is let go.
     static constexpr double depthOfThickness = 0.5;
+    /// Depth of an edge in the other surface, between its nodes, over the width of a face. The
+    /// chords of an octagon are up to a tenth of their length inside what its corners touch: less
+    /// is what a mesh makes of a round rim.
+    static constexpr double depthOfEdge = 0.1;
     /// Friction delivered over that of Coulomb while a pair slides: smooth sliding reaches 0.99.
     static constexpr double friction = 0.95;
     /// Mass added by scaling over the body's own where nobody watches the inertia.

@@ -66,6 +66,31 @@ TEST(EdgeCrossing, TheRimOfASurfaceOnAPlaneOfSymmetryIsNoEdge)
               0u);
 }
 
+/// A bar along y over one along x, `overlap` into it: two edges of the upper cross the lower.
+Mesh bars(double overlap)
+{
+    return test::boxMesh({{"lower", {0, 0, 0}, {4, 1, 1}, {1, 1, 1}},
+                          {"upper", {1, -4, 1 - overlap}, {2, 9, 1}, {1, 1, 1}}});
+}
+
+TEST(EdgeCrossing, IsAsDeepAsItIsBehindTheNearestFace)
+{
+    // Not as behind the sides by which it enters and leaves, half the bar's width away.
+    EXPECT_EQ(crossings(bars(0.005)).count, 0u);
+    const EdgeCrossings found = crossings(bars(0.2));
+    EXPECT_EQ(found.count, 4u);           // and two of the lower cross the upper
+    EXPECT_NEAR(found.depth, 0.2, 1e-12); // of 1 through the bar, though a face is 2 wide
+}
+
+TEST(EdgeCrossing, AThinSheetIsPassedThroughThoughItsFacesAreWide)
+{
+    const Mesh mesh = test::boxMesh({{"sheet", {0, 0, 0}, {10, 10, 0.1}, {2, 2, 1}},
+                                     {"needle", {2, 2, -3}, {0.5, 0.5, 6}, {1, 1, 1}}});
+    const EdgeCrossings found = crossings(mesh);
+    EXPECT_EQ(found.count, 4u);
+    EXPECT_NEAR(found.depth, 0.5, 1e-12);
+}
+
 TEST(EdgeCrossing, SeesNoneWhereTheBodiesAreApart)
 {
     EXPECT_EQ(crossings(crossedWedges(-0.01)).count, 0u);
