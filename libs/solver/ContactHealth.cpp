@@ -16,6 +16,25 @@ bool forgives(const ContactPair& pair)
            || pair.initialOverlap == InitialOverlap::ramp;
 }
 
+/// What passes count of contactors that are not held as they ought to be.
+struct Loss {
+    std::int64_t PairForce::*count;
+    const char *figure, *advice;
+};
+constexpr std::array<Loss, 4> losses{
+    {{&PairForce::released, "contactors let go",
+      "they went deeper than the target is thick and hold no more: a larger normalScale, a "
+      "thicker target, or general contact where another body is behind it"},
+     {&PairForce::overEdge, "contactors that left over a free edge while inside",
+      "what they held is lost there, and behind a gap they may meet the side of the next "
+      "body and be thrown back: one surface without a gap, by joining the bodies in the mesh, or "
+      "at least surfaces that are named without their sides"},
+     {&PairForce::late, "lists of faces that were outrun",
+      "contactors may have been missed: set searchInterval 1 or a smaller timeStep.maximum"},
+     {&PairForce::crowded, "searches with more than three bodies in reach of a node",
+      "it was held by the nearest three: join bodies in the mesh, or stagger them so that no more "
+      "than three meet"}}};
+
 } // namespace
 
 ContactHealth::ContactHealth(const Model& model, const Solver& solver)
@@ -29,8 +48,10 @@ ContactHealth::ContactHealth(const Model& model, const Solver& solver)
             pairs_[pair].forgiven = solver.initialOverlap(pair).deepest;
 }
 
-void ContactHealth::sample(double time, const std::vector<PairTouch>& pairs)
+void ContactHealth::sample(const Sample& row)
 {
+    const double time = row.energies.time;
+    const std::vector<PairTouch>& pairs = row.pairs;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
         OfPair& of = pairs_[pair];
         const double before = of.depth.value;
@@ -39,6 +60,9 @@ void ContactHealth::sample(double time, const std::vector<PairTouch>& pairs)
         const ContactPair& law = model_.contactPairs[pair];
         if (law.kind == ContactKind::pair && law.friction > 0)
             of.sliding.sample(time, pairs[pair], law);
+        for (std::size_t loss = 0; loss < losses.size(); ++loss)
+            if (of.since[loss] < 0 && row.forces[pair].*losses[loss].count > 0)
+                of.since[loss] = time;
     }
 }
 
@@ -80,8 +104,8 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
     const Sliding& sliding = pairs_[pair].sliding;
     if (!sliding.isJudged()) return;
     rows.push_back({"friction while sliding / friction of Coulomb", sliding.ratio(),
-                    HealthLimits::friction, "pair " + model_.contactPairs[pair].name, -1,
-                    sliding.ratio() < HealthLimits::friction,
+                    HealthLimits::friction, "pair " + model_.contactPairs[pair].name,
+                    sliding.worstTime(), sliding.ratio() < HealthLimits::friction,
                     "body and contact chatter, so that contactors stick by turns: more "
                     "bulkViscosity, hourglass { form viscous; } or normalDamping calm them"});
 }
@@ -90,21 +114,14 @@ void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const
 {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
         const PairForce force = solver.pairForce(pair);
-        const auto row = [&](const char* figure, std::int64_t count, const char* advice) {
+        for (std::size_t loss = 0; loss < losses.size(); ++loss) {
+            const double count = double(force.*losses[loss].count),
+                         since = pairs_[pair].since[loss];
             if (count > 0)
-                rows.push_back({figure, double(count), 0, "pair " + model_.contactPairs[pair].name,
-                                -1, true, advice});
-        };
-        row("contactors let go", force.released,
-            "they went deeper than the target is thick and hold no more: a larger normalScale, a "
-            "thicker target, or general contact where another body is behind it");
-        row("contactors that left over a free edge while inside", force.overEdge,
-            "what they held is lost there, and behind a gap they may meet the side of the next "
-            "body and be thrown back: name the surfaces that meet, without their sides");
-        row("lists of faces that were outrun", force.late,
-            "contactors may have been missed: set searchInterval 1 or a smaller timeStep.maximum");
-        row("searches with more than three bodies in reach of a node", force.crowded,
-            "it was held by the nearest three: join bodies or make their elements smaller");
+                rows.push_back(
+                    {losses[loss].figure, count, 0, "pair " + model_.contactPairs[pair].name,
+                     since < 0 ? solver.clock().time : since, true, losses[loss].advice});
+        }
     }
 }
 

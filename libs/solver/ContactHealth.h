@@ -1,8 +1,10 @@
 #pragma once
 
 #include "solver/HealthRow.h"
+#include "solver/Sample.h"
 #include "solver/Sliding.h"
-#include "solver/Solver.h"
+
+#include <array>
 
 namespace fpm {
 
@@ -11,8 +13,7 @@ class ContactHealth
 {
 public:
     ContactHealth(const Model& model, const Solver& solver);
-    /// One value a pair of the model.
-    void sample(double time, const std::vector<PairTouch>& pairs);
+    void sample(const Sample& row);
     void addRows(HealthRows& rows) const;
     /// What the passes count: asks the solver.
     void addCounts(Solver& solver, HealthRows& rows) const;
@@ -24,6 +25,7 @@ private:
         Peak depth;
         PairTouch deepest; ///< at the time of that depth
         Sliding sliding;
+        std::array<double, 4> since{-1, -1, -1, -1}; ///< first row with a count, see losses
     };
     void addDepth(std::size_t pair, HealthRows& rows) const;
     void addFriction(std::size_t pair, HealthRows& rows) const;

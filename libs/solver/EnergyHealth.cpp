@@ -57,15 +57,16 @@ void EnergyHealth::addPart(std::size_t part, HealthRows& rows) const
                          : spurious > 0 ? 1e9
                                         : 0;
     const bool judged = counts(spurious);
-    rows.push_back({"hourglass / internal energy", value, judged ? HealthLimits::hourglass : 0,
-                    "part " + of.name + (judged ? "" : ", of little energy"), had.hourglass.time,
-                    judged && value > HealthLimits::hourglass,
-                    of.hourglass == HourglassForm::physical
-                        ? "its elements deform in spurious modes: hexahedron selective, or more "
-                          "elements across the bending"
-                        : "its elements deform in modes that this form of hourglass control bears "
-                          "artificially: form physical, hexahedron selective, or more elements "
-                          "across the bending"});
+    rows.push_back(
+        {"hourglass / internal energy", value, judged ? HealthLimits::hourglass : 0,
+         "part " + of.name + (judged ? "" : ", of little energy"), had.hourglass.time,
+         judged && value > HealthLimits::hourglass,
+         of.hourglass == HourglassForm::physical
+             ? "its elements deform in spurious modes: hexahedron selective (with rotation "
+               "hughesWinget), or more elements across the bending"
+             : "its elements deform in modes that this form of hourglass control bears "
+               "artificially: form physical, hexahedron selective (with rotation "
+               "hughesWinget), or more elements across the bending"});
 }
 
 void EnergyHealth::addContact(HealthRows& rows) const
@@ -84,9 +85,11 @@ void EnergyHealth::addInertia(HealthRows& rows) const
 {
     const double limit = model_.control.kineticShare;
     if (!(limit > 0)) return;
-    rows.push_back({"kinetic energy / energy of the elements", kineticShare_.value, limit, "",
-                    kineticShare_.time, kineticShare_.value > limit,
-                    "inertia has a part in the result: load more slowly or scale the mass less"});
+    rows.push_back(
+        {"kinetic energy / energy of the elements", kineticShare_.value, limit, "",
+         kineticShare_.time, kineticShare_.value > limit,
+         "inertia has a part in the result: load more slowly or scale the mass less; the first "
+         "waves, before quasiStatic.after, are not judged"});
 }
 
 } // namespace fpm

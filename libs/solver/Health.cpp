@@ -15,7 +15,7 @@ Health::Health(const Model& model, const Solver& solver)
 void Health::sample(const StepClock& clock, const Sample& row)
 {
     energies_.sample(row.energies, clock.steps >= judgedSteps);
-    contact_.sample(row.energies.time, row.pairs);
+    contact_.sample(row);
 }
 
 HealthRows Health::sampledRows() const

@@ -19,7 +19,7 @@ void MotionHealth::addRows(Solver& solver, HealthRows& rows) const
     const bool drifts = addDrift(solver, nodes, rows);
     addRest(solver.clock(), drifts, rows);
     addIdle(rows);
-    addOverlaps(nodes, rows);
+    addOverlaps(nodes, solver.clock().time, rows);
 }
 
 void MotionHealth::addMass(const SolverData& data, HealthRows& rows) const
@@ -89,7 +89,7 @@ void MotionHealth::addIdle(HealthRows& rows) const
                             "missing?"});
 }
 
-void MotionHealth::addOverlaps(const NodeValues& nodes, HealthRows& rows) const
+void MotionHealth::addOverlaps(const NodeValues& nodes, double time, HealthRows& rows) const
 {
     std::vector<Point> points;
     for (std::size_t i = 0; i < nodes.count; ++i) points.push_back(nodes.at(0, i));
@@ -105,7 +105,7 @@ void MotionHealth::addOverlaps(const NodeValues& nodes, HealthRows& rows) const
                         0,
                         format("{} in {}, first node {} at ({} {} {})", bodies_.name(a),
                                bodies_.name(b), overlap.node, at[0], at[1], at[2]),
-                        -1, true,
+                        time, true,
                         "bodies pass through one another unless contact says otherwise: add a "
                         "pair or 'general' to system/contactDict"});
     };

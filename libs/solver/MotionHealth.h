@@ -19,7 +19,7 @@ private:
     bool addDrift(Solver& solver, const NodeValues& nodes, HealthRows& rows) const;
     void addRest(const StepClock& clock, bool drifts, HealthRows& rows) const;
     void addIdle(HealthRows& rows) const;
-    void addOverlaps(const NodeValues& nodes, HealthRows& rows) const;
+    void addOverlaps(const NodeValues& nodes, double time, HealthRows& rows) const;
 
     const Model& model_;
     Bodies bodies_;

@@ -8,10 +8,13 @@ namespace fpm {
 struct Sample {
     Energies energies;
     std::vector<PairTouch> pairs; ///< as Model::contactPairs
+    std::vector<PairForce> forces;
     Sample(Solver& solver, const Model& model) : energies(solver.energies())
     {
-        for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
+        for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
             pairs.push_back(solver.pairTouch(pair));
+            forces.push_back(solver.pairForce(pair));
+        }
     }
 };
 

@@ -46,7 +46,12 @@ void Sliding::close()
     if (way > oneWay * window_.path) {
         ++windows_;
         asked_ += window_.asked;
-        delivered_ -= vector::dot(window_.impulse, window_.way) / way;
+        const double delivered = -vector::dot(window_.impulse, window_.way) / way;
+        delivered_ += delivered;
+        if (window_.asked > 0 && delivered / window_.asked < worst_) {
+            worst_ = delivered / window_.asked;
+            worstTime_ = lastTime_;
+        }
     }
     window_ = {};
 }

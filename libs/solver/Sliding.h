@@ -14,6 +14,8 @@ public:
     bool isJudged() const { return windows_ >= fewestWindows; }
     /// Friction delivered over friction asked for.
     double ratio() const { return asked_ > 0 ? delivered_ / asked_ : 1; }
+    /// End of the window that delivered least of what was asked for.
+    double worstTime() const { return worstTime_; }
 
 private:
     struct Window {
@@ -31,6 +33,7 @@ private:
     double lastTime_ = -1;
     int windows_ = 0;
     double asked_ = 0, delivered_ = 0;
+    double worst_ = 1e300, worstTime_ = -1;
 };
 
 } // namespace fpm
