@@ -35,7 +35,7 @@ std::optional<FrameLabel> readLabel(const fs::path& file)
     const auto text = hdf5Label(file);
     if (!text) return std::nullopt;
     if (!text->empty()) return parseFrameLabel(*text);
-    return FrameLabel{std::nullopt, Hdf5Reader(file).text("/fpm", "meshChecksum")};
+    return FrameLabel{std::nullopt, Hdf5Reader(file).text("/fpm", "meshChecksum"), false};
 }
 
 /// HDF5's signature, and soon the names of the two groups at the top of all our files.
@@ -95,6 +95,12 @@ std::string meshChecksumIn(const fs::path& file)
 std::string meshChecksumOf(const fs::path& caseRoot)
 {
     return meshChecksumIn(caseRoot / "constant" / "mesh.vtkhdf");
+}
+
+bool meshHasIds(const fs::path& caseRoot)
+{
+    const auto text = hdf5Label(caseRoot / "constant" / "mesh.vtkhdf");
+    return text && parseFrameLabel(*text).ids;
 }
 
 void writeSeries(const fs::path& caseRoot,

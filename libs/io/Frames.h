@@ -29,6 +29,9 @@ std::string meshChecksumIn(const std::filesystem::path& file);
 /// Of constant/mesh.vtkhdf.
 std::string meshChecksumOf(const std::filesystem::path& caseRoot);
 
+/// Whether constant/mesh.vtkhdf holds NodeId and ElementId, as writeGrid leaves them.
+bool meshHasIds(const std::filesystem::path& caseRoot);
+
 /// Writes case.vtkhdf.series and, for ParaView before 5.12, case.hdf.series: JSON with the run and
 /// the time folders given.
 void writeSeries(const std::filesystem::path& caseRoot,

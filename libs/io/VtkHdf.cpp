@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace fpm {
 namespace {
 
 constexpr std::uint8_t vtkHexahedron = 12;
 constexpr std::size_t cornerCount = 8;
+const std::string nodeIds = "/VTKHDF/PointData/NodeId", elementIds = "/VTKHDF/CellData/ElementId";
 const std::string meshFile = "../constant/mesh.vtkhdf"; // seen from a time folder
 
 void writeHeader(Hdf5Image& image)
@@ -41,6 +43,13 @@ void writeCount(Hdf5Image& image, const std::string& name, std::size_t count)
     image.write("/VTKHDF/" + name, std::array<std::int64_t, 1>{std::int64_t(count)});
 }
 
+void writeIds(Hdf5Image& image, const std::string& path, std::size_t count)
+{
+    std::vector<Index> ids(count);
+    std::iota(ids.begin(), ids.end(), Index(0));
+    image.write(path, std::span<const Index>(ids));
+}
+
 void writeFields(Hdf5Image& image,
                  const std::string& group,
                  const std::vector<ResultField>& fields,
@@ -63,6 +72,7 @@ readFields(const Hdf5Reader& reader, const std::string& group, std::size_t rows)
     if (!reader.has(group)) return fields;
     for (const auto& name : reader.children(group)) {
         const std::string path = group + "/" + name;
+        if (!reader.has(path)) continue; // a link to the mesh
         ResultField field{name, reader.columns(path), reader.doubles(path)};
         if (field.columns == 0 || field.values.size() / field.columns != rows
             || field.values.size() % field.columns != 0)
@@ -103,6 +113,8 @@ void writeGrid(Hdf5Image& image,
         writeTopology<std::int64_t>(image, hexahedra);
     const std::vector<std::uint8_t> types(hexahedra.size(), vtkHexahedron);
     image.write("/VTKHDF/Types", std::span<const std::uint8_t>(types));
+    writeIds(image, nodeIds, points.size());
+    writeIds(image, elementIds, hexahedra.size());
 }
 
 void writeFrame(const std::filesystem::path& caseRoot,
@@ -118,15 +130,17 @@ void writeFrame(const std::filesystem::path& caseRoot,
         image.link("/VTKHDF/" + name, meshFile, "/VTKHDF/" + name);
     writeFields(image, "/VTKHDF/PointData", frame.nodeFields, nodeCount);
     writeFields(image, "/VTKHDF/CellData", frame.elementFields, elementCount);
+    if (meshHasIds(caseRoot))
+        for (const std::string& path : {nodeIds, elementIds}) image.link(path, meshFile, path);
     image.write("/VTKHDF/FieldData/TimeValue", std::array<double, 1>{frame.time});
     image.attribute("/fpm", "TimeValue", frame.time);
     image.attribute("/fpm", "nodeCount", std::array<std::int64_t, 1>{std::int64_t(nodeCount)});
     image.attribute("/fpm", "elementCount",
                     std::array<std::int64_t, 1>{std::int64_t(elementCount)});
     const std::string file = timeName + "/fields.vtkhdf";
-    const FrameLabel label{RunMark{frame.runId, file}, frame.meshChecksum.empty()
-                                                           ? meshChecksumOf(caseRoot)
-                                                           : frame.meshChecksum};
+    const FrameLabel label{
+        RunMark{frame.runId, file},
+        frame.meshChecksum.empty() ? meshChecksumOf(caseRoot) : frame.meshChecksum, false};
     image.attribute("/fpm", "meshChecksum", label.mesh);
     image.attribute("/fpm", "runId", frame.runId);
     image.save(caseRoot / file, label.text());

@@ -26,12 +26,14 @@ struct Frame {
     std::string runId = {}; ///< of the run that writes it
 };
 
-/// Adds a static VTKHDF UnstructuredGrid (Version 1 0) of hexahedra under /VTKHDF.
+/// Adds a static VTKHDF UnstructuredGrid (Version 1 0) of hexahedra under /VTKHDF, with the numbers
+/// of nodes and elements, from 0 as in messages: point data NodeId, cell data ElementId.
 void writeGrid(Hdf5Image& image,
                std::span<const Point> points,
                std::span<const std::array<Index, 8>> hexahedra);
 
-/// <case>/<time>/fields.vtkhdf, linked to ../constant/mesh.vtkhdf; `timeName` is the folder.
+/// <case>/<time>/fields.vtkhdf, linked to ../constant/mesh.vtkhdf; `timeName` is the folder. The
+/// numbers of nodes and elements are links too, where the mesh file has them.
 void writeFrame(const std::filesystem::path& caseRoot,
                 const std::string& timeName,
                 const Frame& frame,

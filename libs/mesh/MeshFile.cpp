@@ -87,7 +87,7 @@ void writeMesh(const std::filesystem::path& file, const Mesh& mesh)
     image.write("/VTKHDF/CellData/Part", std::span<const Index>(partOfElements(mesh)));
     image.write("/VTKHDF/CellData/Patch", std::span<const Index>(patchOfElements(mesh)));
     image.attribute("/fpm", "version", std::array<std::int64_t, 1>{formatVersion});
-    const FrameLabel label{std::nullopt, meshChecksum(mesh)};
+    const FrameLabel label{std::nullopt, meshChecksum(mesh), true};
     image.attribute("/fpm", "meshChecksum", label.mesh);
     image.write("/fpm/patchStarts", std::span<const Index>(mesh.patchStarts));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {

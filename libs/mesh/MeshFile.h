@@ -6,8 +6,9 @@
 
 namespace fpm {
 
-/// constant/mesh.vtkhdf: a grid ParaView opens (cell data "Part", "Patch"), and under /fpm parts,
-/// patches, sets, contact surfaces and a checksum over all of it. Complete or absent.
+/// constant/mesh.vtkhdf: a grid ParaView opens (cell data "Part", "Patch", "ElementId", point data
+/// "NodeId"), and under /fpm parts, patches, sets, contact surfaces and a checksum over all of it.
+/// Complete or absent.
 void writeMesh(const std::filesystem::path& file, const Mesh& mesh);
 /// Throws Error(mesh): not there (advice: run fpmMesh), damaged, wrong version, lying counts.
 Mesh readMesh(const std::filesystem::path& file);

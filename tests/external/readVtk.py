@@ -62,10 +62,24 @@ def checkGrid(grid, file):
         near(found, expected, f"{file}: bounds")
 
 
+def checkIds(grid, file):
+    """The numbers that messages use, integers, whatever else is in the file."""
+    for data, name, count in [
+        (grid.GetPointData(), "NodeId", grid.GetNumberOfPoints()),
+        (grid.GetCellData(), "ElementId", grid.GetNumberOfCells()),
+    ]:
+        ids = data.GetArray(name)
+        assert ids is not None, f"{file}: no {name}"
+        assert ids.GetDataTypeAsString() in ["int", "vtktypeint32"], ids.GetDataTypeAsString()
+        found = [ids.GetValue(i) for i in range(count)]
+        assert found == list(range(count)), f"{file}: {name}: {found}"
+
+
 def checkMesh(folder):
     file = os.path.join(folder, "constant", "mesh.vtkhdf")
     grid = readGrid(file)
     checkGrid(grid, file)
+    checkIds(grid, file)
     parts = grid.GetCellData().GetArray("Part")
     patches = grid.GetCellData().GetArray("Patch")
     found = [parts.GetValue(cell) for cell in range(grid.GetNumberOfCells())]
@@ -108,6 +122,7 @@ def checkFrame(folder, name, time):
     file = os.path.join(folder, name)
     grid = readGrid(file)
     checkGrid(grid, file)
+    checkIds(grid, file)
     stress = grid.GetCellData().GetArray("S")
     strain = grid.GetCellData().GetArray("PEEQ")
     assert stress.GetNumberOfComponents() == 6 and strain.GetNumberOfComponents() == 1

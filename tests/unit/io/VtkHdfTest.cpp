@@ -27,12 +27,12 @@ Frame exampleFrame(double time)
     return frame;
 }
 
-void writeMeshOf(const std::filesystem::path& root)
+void writeMeshOf(const std::filesystem::path& root, const std::string& label = "")
 {
     Hdf5Image image;
     writeGrid(image, cube, oneCell);
     image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
-    image.save(root / "constant" / "mesh.vtkhdf");
+    image.save(root / "constant" / "mesh.vtkhdf", label);
 }
 
 } // namespace
@@ -93,6 +93,44 @@ TEST(VtkHdf, ReadsBackAFrame)
     EXPECT_EQ(frame.elementFields[1].name, "S");
     EXPECT_EQ(frame.elementFields[1].columns, 6U);
     EXPECT_EQ(frame.elementFields[1].values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+}
+
+/// Kind of the link at a path of a file, H5L_TYPE_ERROR where there is none.
+static H5L_type_t linkAt(const std::filesystem::path& name, const char* path)
+{
+    const hid_t file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    H5L_info_t info;
+    const bool found =
+        H5Lexists(file, path, H5P_DEFAULT) > 0 && H5Lget_info(file, path, &info, H5P_DEFAULT) >= 0;
+    H5Fclose(file);
+    return found ? info.type : H5L_TYPE_ERROR;
+}
+
+TEST(VtkHdf, AFrameShowsTheNumbersOfTheMeshAndHoldsNoneItself)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path(), "ids mesh 0123456789abcdef");
+
+    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+
+    const auto file = folder / "0/fields.vtkhdf";
+    EXPECT_EQ(linkAt(file, "/VTKHDF/PointData/NodeId"), H5L_TYPE_EXTERNAL);
+    EXPECT_EQ(linkAt(file, "/VTKHDF/CellData/ElementId"), H5L_TYPE_EXTERNAL);
+    const Frame frame = readFrame(file);
+    EXPECT_EQ(frame.meshChecksum, "0123456789abcdef");
+    EXPECT_EQ(frame.nodeFields.size(), 1U);
+    EXPECT_EQ(frame.elementFields.size(), 2U);
+}
+
+TEST(VtkHdf, AFrameOfAnOlderMeshWithoutNumbersHasNoLinksIntoTheVoid)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path()); // no label
+
+    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+
+    EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/PointData/NodeId"), H5L_TYPE_ERROR);
+    EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/CellData/ElementId"), H5L_TYPE_ERROR);
 }
 
 TEST(VtkHdf, RefusesFieldsOfTheWrongLength)

@@ -1,6 +1,7 @@
 #include "mesh/MeshFile.h"
 
 #include "base/Error.h"
+#include "io/Frames.h"
 #include "io/Hdf5File.h"
 #include "io/VtkHdf.h"
 #include "mesh/Patches.h"
@@ -103,6 +104,24 @@ TEST(MeshFile, ShowsPartAndPatchInParaView)
     EXPECT_EQ(parts[11], 0);
     EXPECT_EQ(parts[12], 1);
     EXPECT_EQ(reader.integers("/VTKHDF/CellData/Patch"), parts);
+}
+
+TEST(MeshFile, ShowsTheNumbersOfMessagesInParaView)
+{
+    const TemporaryFolder folder;
+    const Mesh mesh = exampleMesh();
+    writeMesh(folder / "constant/mesh.vtkhdf", mesh);
+
+    const Hdf5Reader reader(folder / "constant/mesh.vtkhdf");
+
+    const auto nodes = reader.integers("/VTKHDF/PointData/NodeId");
+    const auto elements = reader.integers("/VTKHDF/CellData/ElementId");
+    ASSERT_EQ(nodes.size(), mesh.points.size());
+    ASSERT_EQ(elements.size(), mesh.hexahedra.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_EQ(nodes[i], std::int64_t(i));
+    for (std::size_t i = 0; i < elements.size(); ++i) EXPECT_EQ(elements[i], std::int64_t(i));
+    EXPECT_TRUE(meshHasIds(folder.path()));
+    EXPECT_EQ(meshChecksumOf(folder.path()), meshChecksum(mesh));
 }
 
 TEST(MeshFile, AdvisesToMakeAMissingMesh)
