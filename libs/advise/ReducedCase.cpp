@@ -103,6 +103,12 @@ std::vector<std::string> cutNotes(const Model& model, const Cut& cut)
             notes.push_back(format("history '{}': multiply forces by {}; across the planes the "
                                    "whole has none",
                                    history.name, cut.factor()));
+        else if (history.kind == History::Kind::part)
+            notes.push_back(
+                format("history '{}': multiply momentum and kinetic energy by {}; across "
+                       "the planes the whole has no momentum, and its centre lies in "
+                       "them",
+                       history.name, cut.factor()));
         else if (history.kind == History::Kind::rigidBody)
             notes.push_back(format("history '{}': multiply forces and moments by {}; across the "
                                    "planes the whole has none",

@@ -59,6 +59,10 @@ double factorOf(const History& history, const std::string& column, const Symmetr
     using Kind = History::Kind;
     if (history.kind == Kind::energies)
         return column == "balance" || column == "kineticShare" ? 1 : factor;
+    const bool ofPart = history.kind == Kind::part;
+    if (ofPart && column == "kinetic") return factor;
+    // About the centre of what is kept, which is not that of the whole.
+    if (ofPart && column[0] == 'l') return cut.planes.empty() ? 1 : 0;
     // fx to mz; depths are no sums.
     const bool resultant = column.size() == 2 && (column[0] == 'f' || column[0] == 'm');
     // Nodes on the planes are there once in the half as in the whole.
@@ -66,7 +70,7 @@ double factorOf(const History& history, const std::string& column, const Symmetr
     for (const MirrorPlane& plane : cut.planes)
         if (column.back() == "xyz"[plane.axis]) return 0;
     const bool summed = history.kind == Kind::contactForces || history.kind == Kind::rigidBody;
-    return summed && resultant ? factor : 1;
+    return (summed && resultant) || (ofPart && column[0] == 'p') ? factor : 1;
 }
 
 struct ColumnError {

@@ -107,6 +107,10 @@ std::string unitOf(Quantity quantity, const std::array<std::string, 3>& units)
         return name.empty() ? format("{}*{}^2/{}^2", mass, length, time)
                             : format("{}*{}", name, length);
     }
+    case Quantity::momentum:
+        return format("{}*{}", unitOf(Quantity::force, units), time);
+    case Quantity::angularMomentum:
+        return format("{}*{}", unitOf(Quantity::moment, units), time);
     case Quantity::energy: {
         const std::string name = prefixed(newton * metre, "J");
         return name.empty() ? format("{}*{}^2/{}^2", mass, length, time) : name;

@@ -17,8 +17,21 @@ CaseProperties readCaseProperties(const Dictionary& dictionary);
 double metresPerSecond(const std::array<std::string, 3>& units);
 
 /// What a column of a table is measured in.
-enum class Quantity { none, time, length, velocity, acceleration, force, moment, energy, spin };
+enum class Quantity {
+    none,
+    time,
+    length,
+    velocity,
+    acceleration,
+    force,
+    moment,
+    energy,
+    spin,
+    momentum,
+    angularMomentum
+};
 /// Its unit in the case's: "mm/s", "N", "mJ"; "-" without, "tonne*mm/s^2" where it has no name.
+/// Momenta are forces and moments times time.
 std::string unitOf(Quantity quantity, const std::array<std::string, 3>& units);
 
 /// Speed of compression waves, sqrt((lambda + 2 mu) / rho) [length/time].

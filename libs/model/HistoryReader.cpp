@@ -125,6 +125,16 @@ void readBody(const Dictionary& entry, const Model& model, History& history)
                    "a reaction or a point tells how other parts move");
 }
 
+void readPart(const Dictionary& entry, const Model& model, History& history)
+{
+    nodesOfNamedPart(entry, model.mesh); // refuses an unknown part
+    const std::string name = entry.word("part");
+    history.part = model.mesh.findPart(name);
+    if (model.parts[std::size_t(history.part)].kind == PartKind::rigidPrescribed)
+        entry.fail("part", "part '" + name + "' is rigidPrescribed: no momentum drives it",
+                   "a reaction tells the force on it, a point how it moves");
+}
+
 /// The ledger is kept without being asked for.
 void addEnergies(std::vector<History>& histories)
 {
@@ -149,8 +159,8 @@ std::vector<History> readHistories(const Dictionary& dictionary, const Model& mo
                            "use letters, digits and _ . + -, at most 64, no leading dot");
         History history;
         history.name = name;
-        const std::string type =
-            entry.choice("type", {"energies", "contactForces", "point", "reaction", "rigidBody"});
+        const std::string type = entry.choice(
+            "type", {"energies", "contactForces", "point", "reaction", "rigidBody", "part"});
         if (type == "contactForces") history.kind = History::Kind::contactForces;
         if (type == "point") {
             history.kind = History::Kind::point;
@@ -161,6 +171,9 @@ std::vector<History> readHistories(const Dictionary& dictionary, const Model& mo
         } else if (type == "rigidBody") {
             history.kind = History::Kind::rigidBody;
             readBody(entry, model, history);
+        } else if (type == "part") {
+            history.kind = History::Kind::part;
+            readPart(entry, model, history);
         }
         histories.push_back(history);
     }

@@ -120,13 +120,20 @@ enum class Assembly { patch, gather };
 
 /// A history of the run: controlDict, functions { ... }.
 struct History {
-    enum class Kind { energies, contactForces, point, reaction, rigidBody } kind = Kind::energies;
+    enum class Kind {
+        energies,
+        contactForces,
+        point,
+        reaction,
+        rigidBody,
+        part
+    } kind = Kind::energies;
     std::string name;                   ///< folder under postProcessing
     Index node = -1;                    ///< point: nearest node of `part` to `position`
     std::vector<Index> nodes;           ///< reaction: constrained nodes of a boundary condition
     Index condition = -1, surface = -1; ///< reaction: of a boundary condition or analytic surface
     double factor = 1;                  ///< reaction: of the force, 4 for a quarter model
-    Index part = -1;                    ///< rigidBody
+    Index part = -1;                    ///< rigidBody, part
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 

@@ -66,6 +66,16 @@ std::vector<Column> rigidBodyColumns()
     return columns;
 }
 
+std::vector<Column> partColumns()
+{
+    std::vector<Column> columns{{"time", Quantity::time}};
+    addVector(columns, "c", Quantity::length);
+    addVector(columns, "p", Quantity::momentum);
+    addVector(columns, "l", Quantity::angularMomentum);
+    columns.push_back({"kinetic", Quantity::energy});
+    return columns;
+}
+
 /// A field of a point: number in NodeValues, the letter of its components, what it is.
 struct PointField {
     int number;
@@ -126,6 +136,9 @@ std::vector<HistoryTable> tablesOf(const History& history, const Model& model)
     case History::Kind::rigidBody:
         add("rigidBody", rigidBodyColumns());
         break;
+    case History::Kind::part:
+        add("part", partColumns());
+        break;
     }
     return tables;
 }
@@ -136,7 +149,7 @@ Histories::Histories(const std::filesystem::path& caseRoot,
     : model_(model)
 {
     for (const History& history : model.control.histories) {
-        Channel channel{&history, {}, {}, {}};
+        Channel channel{&history, {}, {}, {}, {}};
         if (history.kind == History::Kind::reaction)
             channel.drive = driveOf(history, model, channel.driveRows);
         for (const HistoryTable& table : tablesOf(history, model)) {
@@ -172,6 +185,9 @@ void Histories::sample(Solver& solver, const Sample& row)
             break;
         case History::Kind::rigidBody:
             sampleBody(channel, solver, e.time);
+            break;
+        case History::Kind::part:
+            samplePart(channel, solver, e.time);
             break;
         }
 }
@@ -223,6 +239,17 @@ void Histories::sampleBody(Channel& channel, Solver& solver, double time)
     for (const Point& value :
          {body.displacement, body.velocity, body.spin, body.localSpin, body.force, body.moment})
         row.insert(row.end(), value.begin(), value.end());
+    channel.files[0]->append(row);
+}
+
+void Histories::samplePart(Channel& channel, Solver& solver, double time)
+{
+    if (!channel.motion) channel.motion.emplace(solver.data(), model_.mesh, channel.history->part);
+    const PartMotionValues part = channel.motion->of(solver);
+    std::vector<double> row{time};
+    for (const Point& value : {part.centre, part.momentum, part.angularMomentum})
+        row.insert(row.end(), value.begin(), value.end());
+    row.push_back(part.kinetic);
     channel.files[0]->append(row);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "io/Table.h"
+#include "solver/PartMotion.h"
 #include "solver/Sample.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace fpm {
@@ -31,12 +33,14 @@ private:
     struct Channel {
         const History* history;
         std::vector<std::unique_ptr<HistoryFile>> files; ///< one a field or contact pair
-        Condition drive;               ///< reaction: what its condition or surface is moved by
-        std::vector<double> driveRows; ///< its amplitude
+        Condition drive;                  ///< reaction: what its condition or surface is moved by
+        std::vector<double> driveRows;    ///< its amplitude
+        std::optional<PartMotion> motion; ///< part: from the first row on
     };
     void samplePoint(Channel& channel, Solver& solver, double time);
     void sampleReaction(Channel& channel, Solver& solver, double time);
     void sampleBody(Channel& channel, Solver& solver, double time);
+    void samplePart(Channel& channel, Solver& solver, double time);
     void sampleContact(Channel& channel, Solver& solver, const Sample& row);
 
     const Model& model_;

@@ -170,6 +170,8 @@ void surveyHistories(const Dictionary& functions, const std::string& axis, CaseS
             add(name, "reaction", "f" + axis);
         else if (type == "rigidBody")
             add(name, "rigidBody", "u" + axis);
+        else if (type == "part")
+            add(name, "part", "p" + axis);
         else if (type == "energies")
             energies = name;
     }

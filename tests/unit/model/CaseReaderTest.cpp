@@ -45,6 +45,8 @@ TEST(CaseReader, NamesTheUnitsOfWhatTablesHold)
     EXPECT_EQ(unitOf(Quantity::force, fast), "kN");
     EXPECT_EQ(unitOf(Quantity::energy, fast), "J");
     EXPECT_EQ(unitOf(Quantity::force, imperial), "slinch*inch/s^2");
+    EXPECT_EQ(unitOf(Quantity::momentum, fast), "kN*ms");
+    EXPECT_EQ(unitOf(Quantity::angularMomentum, engineer), "N*mm*s");
     EXPECT_EQ(unitOf(Quantity::none, imperial), "-");
 }
 

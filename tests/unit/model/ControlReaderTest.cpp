@@ -226,3 +226,12 @@ TEST(ControlReader, RefusesTheMotionOfABodyThatIsNotRigidFree)
     EXPECT_TRUE(contains(refusal([] { readFunctions("a { type rigidBody; part rod; }"); }),
                          "part 'rod' is not rigidFree"));
 }
+
+TEST(HistoryReader, TakesThePartWhoseMomentumIsAsked)
+{
+    const History motion = readFunctions("a { type part; part rod; }")[0];
+    EXPECT_EQ(motion.kind, History::Kind::part);
+    EXPECT_EQ(motion.part, 0);
+    EXPECT_TRUE(contains(refusal([] { readFunctions("a { type part; part rood; }"); }),
+                         "the mesh has no part 'rood'"));
+}
