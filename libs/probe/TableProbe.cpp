@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace fpm {
@@ -38,9 +39,12 @@ Point elementCentre(const Mesh& mesh, Index element)
     return centre;
 }
 
-double reduce(const std::vector<double>& values, TableSpec::Operation operation)
+/// Of the values that there are: NaN stands where a field has none, and alone remains.
+double reduce(std::vector<double> values, TableSpec::Operation operation)
 {
     using enum TableSpec::Operation;
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     if (operation == min) return *std::min_element(values.begin(), values.end());
     if (operation == max) return *std::max_element(values.begin(), values.end());
     const double total = std::accumulate(values.begin(), values.end(), 0.0);
@@ -148,7 +152,10 @@ std::vector<double> TableProbe::extremaRow(const Frame& frame)
         table_.columns = {"time", "min",   "min_x", "min_y", "min_z",
                           "max",  "max_x", "max_y", "max_z"};
     const ScalarField field = scalarField(frame, spec_.field);
-    const std::vector<Index>& chosen = entities(field.onNodes);
+    std::vector<Index> chosen = entities(field.onNodes);
+    const Index any = chosen.front();
+    std::erase_if(chosen, [&](Index i) { return std::isnan(field.values.at(std::size_t(i))); });
+    if (chosen.empty()) chosen = {any};
     const auto lower = [&](Index a, Index b) {
         return field.values.at(std::size_t(a)) < field.values.at(std::size_t(b));
     };

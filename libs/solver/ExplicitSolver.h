@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "kernels/contact/ContactForce.h"
+#include "kernels/contact/NodeGap.h"
 #include "kernels/contact/PairSums.h"
 #include "kernels/contact/RigidSurface.h"
 #include "kernels/contact/Travel.h"
@@ -45,6 +46,7 @@ public:
     ContactBound contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
+    std::vector<double> contactGaps() override;
     std::uint64_t stateChecksum() override;
     StepTimes times() const override;
     std::size_t deviceBytes() const override { return state_.bytes(); }
@@ -100,6 +102,7 @@ private:
     std::array<double, nodeWorks> works() const;
     std::array<double, pairSums> sumsOf(std::size_t pass);
     std::vector<double> touchOf(std::size_t pass);
+    std::vector<double> gapsOf(std::size_t pass);
 
     SolverData data_;
     double massDamping_;

@@ -210,6 +210,36 @@ PairTouch ExplicitSolver<Precision, Executor>::pairTouch(std::size_t number)
     return out;
 }
 
+/// [contactor]
+template <class Precision, class Executor>
+std::vector<double> ExplicitSolver<Precision, Executor>::gapsOf(std::size_t pass)
+{
+    const Index count = Index(state_.pairs[pass].contactor.size());
+    Array<double, Executor> out{std::size_t(count)};
+    if (data_.pairs[pass].surface >= 0)
+        executor_.parallelFor(count, SurfaceGap<Precision>{surfaceForce(pass), out.data()});
+    else
+        executor_.parallelFor(count, FaceGap<Precision>{pairView(pass), out.data()});
+    executor_.synchronize();
+    return out.toHost();
+}
+
+template <class Precision, class Executor>
+std::vector<double> ExplicitSolver<Precision, Executor>::contactGaps()
+{
+    executor_.synchronize();
+    std::vector<double> least(std::size_t(data_.nodeCount), noGap);
+    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+        const std::vector<double> gaps = gapsOf(pass);
+        const std::vector<Index> nodes = state_.pairs[pass].contactor.toHost();
+        for (std::size_t i = 0; i < gaps.size(); ++i) {
+            double& of = least[std::size_t(nodes[i])];
+            if (gaps[i] < of || std::isnan(of)) of = gaps[i];
+        }
+    }
+    return least;
+}
+
 template <class Precision, class Executor>
 ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
 {

@@ -150,6 +150,9 @@ public:
     virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
+    /// Of each node that is a contactor with a target within reach: the distance to it, negative
+    /// inside, the least where it has several; NaN of all others. Overlaps that are forgiven count.
+    virtual std::vector<double> contactGaps() = 0;
     /// FNV-1a over positions, velocities, stress, plastic strain, hourglass forces, friction.
     virtual std::uint64_t stateChecksum() = 0;
     virtual StepTimes times() const = 0;

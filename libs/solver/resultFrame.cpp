@@ -51,6 +51,7 @@ Frame resultFrame(Solver& solver, const Model& model)
             {"CPRESS", 1,
              contactPressure(model, pointsOf(nodes, 0), pointsOf(nodes, 4),
                              solver.data().erodes ? elements.deleted : std::vector<bool>{})});
+        frame.nodeFields.push_back({"GAP", 1, solver.contactGaps()});
     }
 
     ResultField stress{"S", 6, elements.stress}, equivalent{"Mises", 1, {}},

@@ -5,7 +5,7 @@
 
 namespace fpm {
 
-/// The fields of one output time: U V and, with contact, FCONT CPRESS on nodes, S Mises PEEQ Part
+/// The fields of one output time: U V and, with contact, FCONT CPRESS GAP on nodes, S Mises PEEQ Part
 /// on elements.
 Frame resultFrame(Solver& solver, const Model& model);
 

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 using namespace fpm;
 using Kind = TableSpec::Kind;
 
@@ -102,6 +105,32 @@ TEST(TableProbe, TellsWhereTheExtremesAre)
 
     EXPECT_EQ(table.columns.size(), 9u);
     EXPECT_EQ(table.rows[0], (std::vector<double>{0, 0, 0.5, 0.5, 0.5, 1, 1.5, 0.5, 0.5}));
+}
+
+/// NaN: a node without a target within reach has no gap.
+TEST(TableProbe, LeavesOutWhereAFieldHasNoValue)
+{
+    const Mesh mesh = bar();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto rowOf = [&](const TableSpec& spec, const std::vector<double>& values) {
+        Frame frame;
+        frame.elementFields = {{"GAP", 1, values}};
+        TableProbe probe(spec, mesh);
+        probe.sample(frame);
+        return probe.table().rows[0];
+    };
+    TableSpec section{"s", Kind::section, {"GAP", ""}, "", "end", {}, {}};
+    const TableSpec extrema{"e", Kind::extrema, {"GAP", ""}, "", "", {}, {}},
+        sum{"s", Kind::sum, {"GAP", ""}, "", "", {}, {}};
+    EXPECT_EQ(rowOf(extrema, {none, -2}),
+              (std::vector<double>{0, -2, 1.5, 0.5, 0.5, -2, 1.5, 0.5, 0.5}));
+    EXPECT_EQ(rowOf(sum, {none, -2})[1], -2);
+    for (const auto operation :
+         {TableSpec::Operation::min, TableSpec::Operation::max, TableSpec::Operation::mean}) {
+        section.operation = operation;
+        EXPECT_TRUE(std::isnan(rowOf(section, {-2, none})[1])); // the set has element 1 alone
+    }
+    EXPECT_TRUE(std::isnan(rowOf(extrema, {none, none})[1]));
 }
 
 TEST(TableProbe, RefusesUnknownNamesWithThoseThereAre)

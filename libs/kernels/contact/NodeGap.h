@@ -1,0 +1,50 @@
+#pragma once
+
+#include "kernels/contact/PairView.h"
+#include "kernels/contact/RigidSurface.h"
+
+#include <limits>
+
+namespace fpm {
+
+/// Gap of contactors that have no target within reach.
+inline constexpr double noGap = std::numeric_limits<double>::quiet_NaN();
+
+/// Gap of each contactor to the face it is tracked on, negative inside; noGap beyond the reach. It
+/// only reads what the force pass left.
+template <class Precision>
+struct FaceGap {
+    using Work = typename Precision::Work;
+    PairView<Precision> pair;
+    double* out; ///< [contactor]
+
+    FPM_KERNEL void operator()(Index i) const
+    {
+        out[i] = noGap;
+        const Index face = pair.face[i];
+        if (face < 0) return;
+        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        const Work gap = gapAtClosest(corners, pair.xi[i], pair.eta[i]).gap;
+        if (gap < pair.reach) out[i] = double(gap);
+    }
+};
+
+/// The same against an analytic surface.
+template <class Precision>
+struct SurfaceGap {
+    SurfaceForce<Precision> surface;
+    double* out; ///< [contactor]
+
+    FPM_KERNEL void operator()(Index i) const
+    {
+        const SurfaceForce<Precision>& s = surface;
+        const std::size_t node = std::size_t(s.contactor[i]);
+        const Vec3<double> x{double(s.position[node]), double(s.position[s.nodeStride + node]),
+                             double(s.position[2 * s.nodeStride + node])};
+        const SurfacePoint at =
+            s.shape.at(x - s.shape.displacement(s.amplitudeRows, s.clock->time));
+        out[i] = at.opposite && at.gap < s.reach ? at.gap : noGap;
+    }
+};
+
+} // namespace fpm
