@@ -46,6 +46,7 @@ public:
     ContactBound contactLimit() override;
     NodeValues nodeValues(const std::vector<Index>& nodes) override;
     ElementValues elementValues() override;
+    StateValues elementState() override;
     std::vector<double> contactGaps() override;
     std::uint64_t stateChecksum() override;
     StepTimes times() const override;

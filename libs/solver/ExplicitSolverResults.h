@@ -316,14 +316,13 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
     return out;
 }
 
-/// Float number `i` of memory that was uploaded as other numbers.
-template <class Values>
-float floatAt(const Values& values, std::size_t i)
+template <class Precision, class Executor>
+StateValues ExplicitSolver<Precision, Executor>::elementState()
 {
-    float value;
-    std::memcpy(&value, reinterpret_cast<const char*>(values.data()) + i * sizeof value,
-                sizeof value);
-    return value;
+    executor_.synchronize();
+    const auto state = state_.state.toHost();
+    const auto strains = state_.plasticStrain.toHost();
+    return {{state.begin(), state.end()}, {strains.begin(), strains.end()}};
 }
 
 template <class Precision, class Executor>

@@ -4,6 +4,7 @@
 #include "kernels/particle/StepClock.h"
 #include "model/Model.h"
 #include "solver/SolverData.h"
+#include "solver/StateValues.h"
 
 #include <functional>
 #include <memory>
@@ -150,6 +151,7 @@ public:
     virtual PairOverlap initialOverlap(std::size_t pair) const = 0;     ///< known after start()
     virtual NodeValues nodeValues(const std::vector<Index>& nodes) = 0; ///< all nodes when empty
     virtual ElementValues elementValues() = 0;
+    virtual StateValues elementState() = 0;
     /// Of each node that is a contactor with a target within reach: the distance to it, negative
     /// inside, the least where it has several; NaN of all others. Overlaps that are forgiven count.
     virtual std::vector<double> contactGaps() = 0;

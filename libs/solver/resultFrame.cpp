@@ -1,6 +1,7 @@
 #include "solver/resultFrame.h"
 
 #include "solver/ContactPressure.h"
+#include "solver/SectionFields.h"
 
 #include <cmath>
 
@@ -35,6 +36,24 @@ std::vector<Point> pointsOf(const NodeValues& values, int quantity)
     return out;
 }
 
+/// Those of its fields that some part has; numbers that are 0 everywhere would only fill the disk.
+void addSection(Solver& solver, const Model& model, const std::vector<Point>& points, Frame& frame)
+{
+    const SolverData& data = solver.data();
+    bool hourglass = false, bending = false, yields = false;
+    for (std::size_t part = 0; part < model.parts.size(); ++part) {
+        const StateLayout& layout = data.layouts[part];
+        hourglass |= layout.hourglass > 0;
+        bending |= layout.hourglass > 0 && model.parts[part].hourglass == HourglassForm::physical;
+        yields |= layout.plastic && data.materials[part].rows > 0;
+    }
+    if (!hourglass && !yields) return;
+    const SectionFields fields = sectionFields(solver, model, points);
+    if (hourglass) frame.elementFields.push_back({"HourglassEnergy", 1, fields.hourglass});
+    if (bending) frame.elementFields.push_back({"BendingEnergy", 1, fields.bending});
+    if (yields) frame.elementFields.push_back({"Utilisation", 1, fields.utilisation});
+}
+
 } // namespace
 
 Frame resultFrame(Solver& solver, const Model& model)
@@ -61,6 +80,7 @@ Frame resultFrame(Solver& solver, const Model& model)
         part.values.push_back(double(model.mesh.partOf(Index(e))));
     }
     frame.elementFields = {stress, equivalent, plastic, part};
+    addSection(solver, model, pointsOf(nodes, 0), frame);
     if (!elements.temperature.empty())
         frame.elementFields.push_back({"TEMP", 1, elements.temperature});
     if (solver.data().erodes) {

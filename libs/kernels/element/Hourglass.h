@@ -52,8 +52,7 @@ struct StiffnessHourglass {
     trial(const MaterialConstants<ScalarOf<T>>& m, const HourglassInput<T>& in, Vec3<T> (&q)[4])
     {
         const T half = T(ScalarOf<T>(0.5));
-        const T k = T(m.hourglass * m.pressureWaveModulus * ScalarOf<T>(0.125)) * in.gradientSquare
-                    * in.inverseVolume;
+        const T k = stiffness<T>(m, in.gradientSquare, in.inverseVolume);
         const T zero = T(ScalarOf<T>(0));
         HourglassTrial<T> out{zero, zero, zero, zero, zero, zero};
         for (int j = 0; j < 4; ++j) {
@@ -64,6 +63,16 @@ struct StiffnessHourglass {
             out.workTrial += half * dot(dq, q[j]);
         }
         return out;
+    }
+
+    /// k of dQ = k dq.
+    template <class T>
+    FPM_KERNEL static T stiffness(const MaterialConstants<ScalarOf<T>>& m,
+                                  const T& gradientSquare,
+                                  const T& inverseVolume)
+    {
+        return T(m.hourglass * m.pressureWaveModulus * ScalarOf<T>(0.125)) * gradientSquare
+               * inverseVolume;
     }
 };
 

@@ -49,10 +49,7 @@ struct PhysicalHourglass {
     trial(const MaterialConstants<ScalarOf<T>>& m, const HourglassInput<T>& in, Vec3<T> (&c)[4])
     {
         using Real = ScalarOf<T>;
-        const Real third = m.hourglass * Real(1) / Real(3);
-        const Stiffness<T> k{T(third * m.young / (Real(1) - m.poisson * m.poisson)), T(m.poisson),
-                             T(third * Real(0.5) * m.twoMu),
-                             T(third * m.young * Real(1) / Real(3))};
+        const Stiffness<T> k = stiffnessOf<T>(m);
         const Edges<T> edges = edgesOf(in.end.mode);
         const Mat3<T> dual = dualBasis(in.middle.mode);
 
@@ -75,6 +72,24 @@ struct PhysicalHourglass {
         out.bendingStart = out.bendingTrial - half * squares(k, edges, change);
         out.workTrial = half * dot(change[3], f[3]);
         out.workStart = out.workTrial - half * k.last * dot(change[3], change[3]);
+        return out;
+    }
+
+    /// Forces, energies and equivalent bending stress of the strains c where the corners are `at`;
+    /// no works.
+    template <class T>
+    FPM_KERNEL static Trial<T>
+    present(const MaterialConstants<ScalarOf<T>>& m, const Modes<T>& at, const Vec3<T> (&c)[4])
+    {
+        const T zero = T(ScalarOf<T>(0));
+        const Stiffness<T> k = stiffnessOf<T>(m);
+        const Edges<T> edges = edgesOf(at.mode);
+        Vec3<T> e[4], f[4];
+        for (int j = 0; j < 4; ++j) e[j] = edges.projection * c[j];
+        Trial<T> out;
+        const Vec3<T> shear = derive(k, edges, e, f, out);
+        measure(m, k, edges, e, f, shear, out);
+        out.workStart = out.workTrial = out.bendingStart = out.bendingTrial = zero;
         return out;
     }
 
@@ -141,6 +156,15 @@ struct PhysicalHourglass {
     }
 
 private:
+    template <class T>
+    FPM_KERNEL static Stiffness<T> stiffnessOf(const MaterialConstants<ScalarOf<T>>& m)
+    {
+        using Real = ScalarOf<T>;
+        const Real third = m.hourglass * Real(1) / Real(3);
+        return {T(third * m.young / (Real(1) - m.poisson * m.poisson)), T(m.poisson),
+                T(third * Real(0.5) * m.twoMu), T(third * m.young * Real(1) / Real(3))};
+    }
+
     template <class T>
     FPM_KERNEL static Edges<T> edgesOf(const Vec3<T>* x)
     {
