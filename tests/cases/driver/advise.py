@@ -21,7 +21,7 @@ def wholePlate(binaries, cells, rod, axial, end, interval, friction):
             (r"core +2;", f"core {rod};"), (r"rings +2;", f"rings {rod};"),
             (r"axial +20;", f"axial {axial};")):
         case.replace("system/meshDict", pattern, text)
-    case.replace("system/contactDict", r"friction +0.1;", f"friction {friction};", 3)
+    case.replace("system/contactDict", r"friction +0.1;", f"friction {friction}; tangentialScale 0.1;", 3)
     for key, value in (("endTime", end), ("historyInterval", interval), ("writeInterval", end)):
         case.replace("system/controlDict", rf"^{key} .*", f"{key} {value!r};")
     case.replace("system/controlDict", r"openmp;", "serial;")
