@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -76,6 +77,10 @@ Outcome outcomeOf(Solver& solver, const Model& model)
         for (const Point& p : {b.displacement, b.velocity, b.spin, b.force, b.moment, b.momentum})
             out.add("body", {p.begin(), p.end()});
     }
+    std::vector<double> gaps = solver.contactGaps();
+    for (double& gap : gaps) // no target within reach, which equals itself here
+        if (std::isnan(gap)) gap = 1e300;
+    out.add("gaps", gaps);
     out.add("step, contact limit", {solver.clock().step, solver.contactLimit().frequency});
     out.add("nodes", solver.nodeValues({}).values);
     const ElementValues elements = solver.elementValues();
