@@ -50,7 +50,8 @@ def reduced(case, kinds, *options):
 
 def apart(whole, part, factor, skip):
     """Largest relative L2 of the columns of all histories: resultants times `factor`, of vectors
-    measured by the largest component. `skip`: components across the planes, numbers of contactors.
+    measured by the largest component. `skip`: components across the planes. Not numbers of
+    contactors, nor their depths: a mean over nodes, and that of one node.
     A row is taken at the first step at or after its time: where a step ends within rounding of that
     time, one of the runs takes the next. Such rows, one in a hundred at most, are left out."""
     worst = (0.0, "nothing")
@@ -66,7 +67,9 @@ def apart(whole, part, factor, skip):
         if len(rows) < 0.99 * len(a["time"]):
             return 1.0, f"{name}: rows at other times"
         for column in a:
-            if column in ("balance", "active", "meanDepth", "travel") or column[-1] in skip and len(column) == 2:
+            if column in ("balance", "active", "maxDepth", "meanDepth", "travel"):
+                continue
+            if column[-1] in skip and len(column) == 2:
                 continue
             times = factor if column in ("fx", "fy", "fz") and "reaction" not in str(name) else 1
             if name.parts[0] == "energies" and column not in ("time", "kineticShare"):
