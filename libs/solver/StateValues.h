@@ -5,8 +5,8 @@
 
 namespace fpm {
 
-/// The state of all elements as the kernels keep it, widened to double: where what lies is told by
-/// SolverData::placeOf and StateLayout. Tiles of floats keep their bits (floatAt).
+/// The state of all elements as the kernels keep it, widened to double, in the order that
+/// SolverData::placeOf and StateLayout give. Tiles of floats keep their bits (floatAt).
 struct StateValues {
     std::vector<double> state, strains;
 };
