@@ -1,10 +1,10 @@
 #include "application/Application.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
+#include "run/KernelReport.h"
+#include "run/TimeLoop.h"
+#include "run/WaitPolicy.h"
 #include "solver/IdleCores.h"
-#include "solver/KernelReport.h"
-#include "solver/TimeLoop.h"
-#include "solver/WaitPolicy.h"
 
 #include <limits>
 
