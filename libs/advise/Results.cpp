@@ -1,8 +1,8 @@
 #include "advise/Results.h"
 
 #include "advise/RigidFit.h"
-#include "application/RunResults.h"
 #include "base/Format.h"
+#include "case/RunResults.h"
 #include "dictionary/Number.h"
 #include "io/VtkHdf.h"
 #include "mesh/Quality.h"

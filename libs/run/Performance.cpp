@@ -218,26 +218,30 @@ std::string performanceText(Solver& solver,
 
 } // namespace
 
-void reportPerformance(Solver& solver, const Model& model, Run& run, const std::string& runId)
+void reportPerformance(Solver& solver,
+                       const Model& model,
+                       const std::filesystem::path& caseRoot,
+                       const std::string& runId,
+                       Log& log)
 {
     const StepTimes t = solver.times();
     const std::int64_t steps = solver.clock().steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
-    run.log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
-                        elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
-                        solver.description()));
+    log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
+                    elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
+                    solver.description()));
     if (t.threads > 0 && t.threads < threadCount(model.control) - 0.05)
-        run.log.line(format("  {} threads on average: other programs had the other cores",
-                            toText(t.threads, 3)));
+        log.line(format("  {} threads on average: other programs had the other cores",
+                        toText(t.threads, 3)));
     if (t.element > 0 && t.total > 0)
-        run.log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
-                            toText(100 * t.element / t.total, 3),
-                            toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
-                            toText(100 * t.node / t.total, 3)));
+        log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
+                        toText(100 * t.element / t.total, 3),
+                        toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
+                        toText(100 * t.node / t.total, 3)));
     const std::string checksum = hexText(solver.stateChecksum());
-    run.log.line("stateChecksum = " + checksum);
-    writeFileAtomically(run.theCase.path("postProcessing/performance/0/performance.json"),
+    log.line("stateChecksum = " + checksum);
+    writeFileAtomically(caseRoot / "postProcessing/performance/0/performance.json",
                         performanceText(solver, model, checksum, runId));
 }
 
@@ -298,9 +302,11 @@ void reportContactCost(const StepClock& clock, const Control& control, Log& log)
 
 } // namespace
 
-void reportDryRun(Solver& solver, const Model& model, Run& run)
+void reportDryRun(Solver& solver,
+                  const Model& model,
+                  const std::filesystem::path& caseRoot,
+                  Log& log)
 {
-    Log& log = run.log;
     reportKernels(solver, model, log);
     log.line(format("{} nodes, {} elements in {} patches, {} contactors in {} pairs, {} MB",
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
@@ -316,7 +322,7 @@ void reportDryRun(Solver& solver, const Model& model, Run& run)
     reportStepSetters(stepSetters(solver.data(), model), log);
     reportContactCost(clock, model.control, log);
     const double step = clock.stableStep > 0 ? steadyStep(clock, model.control) : clock.step;
-    const RunForecast forecast = forecastRun(solver, model, run.theCase.root(), step, -1);
+    const RunForecast forecast = forecastRun(solver, model, caseRoot, step, -1);
     const double aStep = solver.times().total / double(std::max<std::int64_t>(1, clock.steps));
     reportForecast(forecast, aStep, log);
     if (const std::string why = endlessReason(clock, model.control, -1); !why.empty())

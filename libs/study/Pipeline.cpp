@@ -1,8 +1,8 @@
 #include "study/Pipeline.h"
 
-#include "application/Machine.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/Machine.h"
 #include "io/Checksum.h"
 #include "study/Process.h"
 

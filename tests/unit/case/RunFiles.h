@@ -1,10 +1,10 @@
 #pragma once
 
-#include "application/RunStatus.h"
+#include "case/RunStatus.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"
 #include "io/VtkHdf.h"
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 namespace fpm {
 

@@ -1,9 +1,9 @@
-#include "application/PreviousRun.h"
+#include "case/PreviousRun.h"
 
-#include "application/Confinement.h"
-#include "application/RunStatus.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/Confinement.h"
+#include "case/RunStatus.h"
 #include "io/AtomicFile.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"

@@ -1,8 +1,8 @@
-#include "application/PreviousRun.h"
+#include "case/PreviousRun.h"
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "unit/application/RunFiles.h"
+#include "unit/case/RunFiles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "application/Case.h"
-#include "application/RunStatus.h"
+#include "case/Case.h"
+#include "case/RunStatus.h"
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
-#include "application/RunRecord.h"
+#include "case/RunRecord.h"
 
-#include "application/Machine.h"
-#include "application/PreviousRun.h"
+#include "base/Machine.h"
+#include "case/PreviousRun.h"
 #include "io/AtomicFile.h"
 
 namespace fpm {

@@ -1,8 +1,8 @@
-#include "application/RunResults.h"
+#include "case/RunResults.h"
 
-#include "application/RunRecord.h"
 #include "base/Error.h"
-#include "unit/application/RunFiles.h"
+#include "case/RunRecord.h"
+#include "unit/case/RunFiles.h"
 
 #include <gtest/gtest.h>
 
