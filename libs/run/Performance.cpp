@@ -1,6 +1,7 @@
 #include "run/Performance.h"
 
 #include "base/Format.h"
+#include "case/PerformanceRecord.h"
 #include "io/AtomicFile.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
@@ -157,63 +158,52 @@ const char* precisionName(Precision precision)
                                            : "single";
 }
 
-/// A number a pair, for programs that ask which friction does anything.
-std::string frictionWorks(Solver& solver, const Model& model)
+/// Friction of each pair, and the pair and node whose springs bounded the last step.
+void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
 {
-    std::string text;
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number)
         if (model.contactPairs[number].friction > 0)
-            text += format("  \"frictionWork {}\": {},\n", model.contactPairs[number].name,
-                           toText(solver.pairForce(number).friction));
-    return text;
-}
-
-/// Steps, and the pair and node whose springs bounded the last one.
-std::string stepFigures(Solver& solver, const Model& model)
-{
+            record.frictionWork.emplace_back(model.contactPairs[number].name,
+                                             solver.pairForce(number).friction);
     const StepClock clock = solver.clock();
     const bool given = model.control.fixedTimeStep > 0 || model.control.maximumTimeStep > 0;
-    const bool contact = !given && clock.elementStep > 0 && contactBoundsStep(clock, model.control);
-    return format("  \"time\": {}, \"lastStep\": {}, \"elementStep\": {},\n"
-                  "  \"contactLimitedBy\": \"{}\",\n",
-                  toText(clock.time), toText(clock.step), toText(clock.elementStep),
-                  contact ? stepLimit(solver, model) : "");
+    if (!given && clock.elementStep > 0 && contactBoundsStep(clock, model.control))
+        record.contactLimitedBy = stepLimit(solver, model);
 }
 
-/// What scripts read of a run; null is what was not timed, or has no meaning.
-std::string performanceText(Solver& solver,
-                            const Model& model,
-                            const std::string& checksum,
-                            const std::string& runId)
+PerformanceRecord performanceOf(Solver& solver, const Model& model)
 {
+    PerformanceRecord record;
     const StepTimes& t = solver.times();
     const StepClock clock = solver.clock();
-    const double steps = double(clock.steps), elements = double(model.mesh.hexahedra.size()),
-                 touching = double(contactors(model)), contact = t.contact + t.search;
+    record.backend = model.control.backend;
+    record.precision = precisionName(model.control.precision);
+    record.algorithm = model.control.paperAlgorithm ? "paper" : "default";
+    record.description = solver.description();
+    record.elements = std::int64_t(model.mesh.hexahedra.size());
+    record.nodes = std::int64_t(model.mesh.points.size());
+    record.contactors = std::int64_t(contactors(model));
+    record.steps = clock.steps;
+    record.searches = t.searches;
+    record.deviceBytes = std::int64_t(solver.deviceBytes());
+    record.wallSeconds = t.total;
+    record.threads = t.threads;
+    const double steps = double(record.steps), elements = double(record.elements),
+                 touching = double(record.contactors), contact = t.contact + t.search;
     const bool known = t.element > 0;
-    const auto over = [](double part, double whole, bool told, int digits) {
-        return told && whole > 0 ? toText(part / whole, digits) : std::string("null");
+    const auto over = [](double part, double whole, bool told) {
+        return told && whole > 0 ? std::optional(part / whole) : std::nullopt;
     };
-    return format("{\n  \"runId\": \"{}\",\n", runId)
-           + format("  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
-                    model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),
-                    clock.steps)
-           + format(
-               "  \"wallSeconds\": {}, \"nsPerElementStep\": {}, \"nsPerContactorStep\": {},\n",
-               toText(t.total, 6), over(1e9 * t.total, steps * elements, true, 5),
-               over(1e9 * contact, steps * touching, known, 5))
-           + format("  \"contactShare\": {}, \"searches\": {},\n", over(contact, t.total, known, 4),
-                    t.searches)
-           + format("  \"backend\": \"{}\", \"precision\": \"{}\", \"algorithm\": \"{}\",\n",
-                    model.control.backend, precisionName(model.control.precision),
-                    model.control.paperAlgorithm ? "paper" : "default")
-           + format("  \"description\": \"{}\", \"threads\": {},\n", solver.description(),
-                    toText(t.threads, 4))
-           + stepFigures(solver, model) + frictionWorks(solver, model)
-           + format(
-               "  \"bytesPerElementStep\": {}, \"deviceBytes\": {}, \"checksum\": \"{}\"\n}\n",
-               over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true, 4),
-               solver.deviceBytes(), checksum);
+    record.nsPerElementStep = over(1e9 * t.total, steps * elements, true);
+    record.nsPerContactorStep = over(1e9 * contact, steps * touching, known);
+    record.contactShare = over(contact, t.total, known);
+    record.bytesPerElementStep =
+        over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true);
+    record.time = clock.time;
+    record.lastStep = clock.step;
+    record.elementStep = clock.elementStep;
+    addContact(record, solver, model);
+    return record;
 }
 
 } // namespace
@@ -239,10 +229,11 @@ void reportPerformance(Solver& solver,
                         toText(100 * t.element / t.total, 3),
                         toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
                         toText(100 * t.node / t.total, 3)));
-    const std::string checksum = hexText(solver.stateChecksum());
-    log.line("stateChecksum = " + checksum);
-    writeFileAtomically(caseRoot / "postProcessing/performance/0/performance.json",
-                        performanceText(solver, model, checksum, runId));
+    PerformanceRecord record = performanceOf(solver, model);
+    record.runId = runId;
+    record.checksum = hexText(solver.stateChecksum());
+    log.line("stateChecksum = " + record.checksum);
+    writeFileAtomically(caseRoot / performanceFile, record.text());
 }
 
 namespace {

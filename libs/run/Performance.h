@@ -8,7 +8,7 @@
 namespace fpm {
 
 /// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
-/// postProcessing/performance/0/performance.json, with the id of the run.
+/// the PerformanceRecord of the run.
 void reportPerformance(Solver& solver,
                        const Model& model,
                        const std::filesystem::path& caseRoot,

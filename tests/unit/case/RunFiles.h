@@ -52,7 +52,7 @@ public:
              {"postProcessing/tip/0/displacement.dat", "postProcessing/end/0/U.dat",
               "postProcessing/pictures/mises_0.svg", "postProcessing/plots/tip.svg"})
             marked(file);
-        folder_.write("postProcessing/performance/0/performance.json", "{}");
+        folder_.write("postProcessing/performance/0/performance", "steps 10;\n");
         writeSeries(folder_.root(), runId_, times);
         status(RunState::finished);
     }
