@@ -59,7 +59,7 @@ int main(int argc, char** argv)
         if (run.has("dryRun"))
             return fpm::reportDryRun(*solver, model, run.theCase.root(), run.log);
         const auto steps = run.integer("maxSteps", 0, std::numeric_limits<std::int64_t>::max());
-        fpm::runTimeLoop(*solver, model, run.theCase, {steps.value_or(-1), run.has("strict")},
-                         run.log);
+        fpm::runTimeLoop(*solver, model, run.theCase.root(),
+                         {steps.value_or(-1), run.has("strict")}, run.log);
     });
 }

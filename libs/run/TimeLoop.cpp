@@ -1,5 +1,6 @@
 #include "run/TimeLoop.h"
 
+#include "base/Error.h"
 #include "base/Format.h"
 #include "case/RunRecord.h"
 #include "io/AtomicFile.h"
@@ -44,16 +45,16 @@ class TimeLoop
 public:
     TimeLoop(Solver& solver,
              const Model& model,
-             const Case& theCase,
+             const std::filesystem::path& caseRoot,
              const RunOptions& options,
              Log& log)
         : solver_(solver),
           model_(model),
           control_(model.control),
-          root_(theCase.root()),
+          root_(caseRoot),
           options_(options),
           log_(log),
-          record_(theCase, model.control.previousRun, log),
+          record_(root_, model.control.previousRun, log),
           histories_(root_, model, record_.id()),
           health_(model, solver),
           edges_(model)
@@ -297,10 +298,13 @@ private:
 
 } // namespace
 
-void runTimeLoop(
-    Solver& solver, const Model& model, const Case& theCase, const RunOptions& options, Log& log)
+void runTimeLoop(Solver& solver,
+                 const Model& model,
+                 const std::filesystem::path& caseRoot,
+                 const RunOptions& options,
+                 Log& log)
 {
-    TimeLoop(solver, model, theCase, options, log).run();
+    TimeLoop(solver, model, caseRoot, options, log).run();
 }
 
 } // namespace fpm

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "case/Case.h"
+#include "base/Log.h"
 #include "solver/Solver.h"
+
+#include <filesystem>
 
 namespace fpm {
 
@@ -11,10 +13,14 @@ struct RunOptions {
 };
 
 /// Runs a started solver to the end time: histories, frames, energy balance, progress line; writes
-/// `status` and postProcessing/performance. Throws Error(numericalStop) after writing why.txt when
-/// an element inverts or the balance is lost, Error(stopped) on SIGINT or SIGTERM.
-void runTimeLoop(
-    Solver& solver, const Model& model, const Case& theCase, const RunOptions& options, Log& log);
+/// `status`, performance and health into the folder `caseRoot`, whose lock the caller holds. Throws
+/// Error(numericalStop) after writing why.txt when an element inverts or the balance is lost,
+/// Error(stopped) on SIGINT or SIGTERM.
+void runTimeLoop(Solver& solver,
+                 const Model& model,
+                 const std::filesystem::path& caseRoot,
+                 const RunOptions& options,
+                 Log& log);
 
 /// What -dryRun prints: kernels this scene needs and those it leaves out, counts, the first time
 /// step and what limits it, and the forecast of steps, frames, disk, memory and time (measured over

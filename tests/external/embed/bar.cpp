@@ -16,7 +16,8 @@ int main()
     model.parts[0].name = "bar";
     model.parts[0].density = 8e-9;
     model.parts[0].youngsModulus = 200000;
-    fpm::BoundaryCondition blow{fpm::BoundaryCondition::Kind::velocity, "blow"};
+    fpm::BoundaryCondition blow;
+    blow.kind = fpm::BoundaryCondition::Kind::velocity;
     blow.constrains = {true, false, false};
     blow.value = {1000, 0, 0};
     blow.amplitude = {fpm::Amplitude::Kind::smooth, {{0, 0}, {4e-6, 1}, {8e-6, 0}}};

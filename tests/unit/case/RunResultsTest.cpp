@@ -122,7 +122,7 @@ TEST(RunRecord, KeepsTheStatusOfItsRun)
     std::string text;
     Log log = Log::into(text);
 
-    RunRecord record(Case(folder.root()), "keep", log);
+    RunRecord record(folder.root(), "keep", log);
 
     const std::string id = record.id();
     EXPECT_EQ(text,
