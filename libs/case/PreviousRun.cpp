@@ -3,7 +3,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "case/Confinement.h"
-#include "case/PerformanceRecord.h"
 #include "case/RunStatus.h"
 #include "io/AtomicFile.h"
 #include "io/Frames.h"
@@ -49,8 +48,9 @@ public:
     explicit ResultSearch(fs::path root) : root_(std::move(root))
     {
         // The status goes first: what is left of a run half moved is never taken for the whole.
-        for (const char* name :
-             {"status", "why.txt", "case.vtkhdf.series", "case.hdf.series", performanceFile})
+        // Runs of older versions left performance.json, which bears no mark.
+        for (const char* name : {"status", "why.txt", "case.vtkhdf.series", "case.hdf.series",
+                                 "postProcessing/performance/0/performance.json"})
             if (isPlainFile(root_ / name)) files_.emplace_back(name);
         for (const std::string& name : foldersIn(""))
             if (!isOneOf(name, {"constant", "system", "postProcessing", previousFolder})

@@ -16,6 +16,7 @@ int main()
     model.parts[0].name = "bar";
     model.parts[0].density = 8e-9;
     model.parts[0].youngsModulus = 200000;
+    model.parts[0].linearBulkViscosity = 0; // the pulse is smooth
     fpm::BoundaryCondition blow;
     blow.kind = fpm::BoundaryCondition::Kind::velocity;
     blow.constrains = {true, false, false};

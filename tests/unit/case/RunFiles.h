@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/PerformanceRecord.h"
 #include "case/RunStatus.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"
@@ -52,7 +53,10 @@ public:
              {"postProcessing/tip/0/displacement.dat", "postProcessing/end/0/U.dat",
               "postProcessing/pictures/mises_0.svg", "postProcessing/plots/tip.svg"})
             marked(file);
-        folder_.write("postProcessing/performance/0/performance", "steps 10;\n");
+        PerformanceRecord performance;
+        performance.runId = runId_;
+        folder_.write(performanceFile, performance.text());
+        folder_.write("postProcessing/performance/0/performance.json", "{}");
         writeSeries(folder_.root(), runId_, times);
         status(RunState::finished);
     }
