@@ -41,7 +41,7 @@ std::string pairsOf(const SolverData& data, const Model& model, Index node)
     std::string names;
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const bool here =
-            std::any_of(data.pairs.begin(), data.pairs.end(), [&](const PairData& pass) {
+            std::any_of(data.passes.begin(), data.passes.end(), [&](const ContactPassSetup& pass) {
                 const auto among = [&](const std::vector<Index>& nodes) {
                     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
                 };
@@ -56,7 +56,7 @@ std::string pairsOf(const SolverData& data, const Model& model, Index node)
 double largestStiffnessOf(const SolverData& data, std::size_t pair)
 {
     double most = 0;
-    for (const PairData& pass : data.pairs)
+    for (const ContactPassSetup& pass : data.passes)
         if (pass.pair == pair) most = std::max(most, largestStiffness(pass));
     return most;
 }
@@ -191,8 +191,8 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     const double steps = double(record.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
     const bool known = t.element > 0;
-    const auto over = [](double part, double whole, bool told) {
-        return told && whole > 0 ? std::optional(part / whole) : std::nullopt;
+    const auto over = [](double part, double whole, bool given) {
+        return given && whole > 0 ? std::optional(part / whole) : std::nullopt;
     };
     record.nsPerElementStep = over(1e9 * t.total, steps * elements, true);
     record.nsPerContactorStep = over(1e9 * contact, steps * touching, known);
