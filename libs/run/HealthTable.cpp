@@ -1,6 +1,7 @@
 #include "run/HealthTable.h"
 
 #include "base/Format.h"
+#include "dictionary/DictionaryText.h"
 #include "io/AtomicFile.h"
 #include "io/RunMark.h"
 
@@ -19,11 +20,6 @@ std::string padded(std::string text, std::size_t width)
 std::string verdict(const HealthRow& row)
 {
     return row.finding ? "FINDING" : "ok";
-}
-
-std::string quoted(const std::string& text)
-{
-    return format("\"{}\"", text);
 }
 
 std::string line(const HealthRow& row, std::size_t width)
@@ -80,14 +76,20 @@ void writeHealth(const std::filesystem::path& caseRoot,
                  const std::string& runId,
                  const HealthRows& rows)
 {
-    const std::string file = "postProcessing/health/0/health.dat";
-    std::string text = format("# {}\n# figure value limit time verdict where advice\n",
-                              RunMark{runId, file}.text());
-    for (const HealthRow& row : rows)
-        text += format("{} {} {} {} {} {} {}\n", quoted(row.figure), toText(row.value),
-                       toText(row.limit), toText(row.when), row.finding ? "finding" : "ok",
-                       quoted(row.where), quoted(row.finding ? row.advice : ""));
-    writeFileAtomically(caseRoot / file, text);
+    const std::string file = "postProcessing/health/0/health";
+    DictionaryText text(RunMark{runId, file}.text());
+    text.string("runId", runId).integer("findings", std::int64_t(findings(rows)));
+    text.openList("figures");
+    for (const HealthRow& row : rows) {
+        text.openItem().string("figure", row.figure).number("value", row.value);
+        if (row.limit > 0) text.number("limit", row.limit);
+        if (row.when >= 0) text.number("time", row.when);
+        text.string("verdict", row.finding ? "finding" : "ok");
+        if (!row.where.empty()) text.string("where", row.where);
+        if (row.finding) text.string("advice", row.advice);
+        text.closeItem();
+    }
+    writeFileAtomically(caseRoot / file, text.closeList().text());
 }
 
 } // namespace fpm

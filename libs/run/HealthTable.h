@@ -13,9 +13,9 @@ std::string healthVerdict(const HealthRows& rows);
 std::vector<std::string> healthLines(const HealthRows& rows);
 /// Entries of `status`: how many findings so far, and which.
 std::string healthStatus(const HealthRows& rows);
-/// postProcessing/health/0/health.dat of a case: the mark of the run, then one row a line, texts in
-/// double quotes: figure value limit time verdict where advice. limit 0: reported, not judged; time
-/// -1: of the run as a whole.
+/// postProcessing/health/0/health of a case: a dictionary with runId, findings and a list `figures`
+/// of { figure value limit time verdict where advice }. Without limit: reported, not judged;
+/// without time: of the run as a whole; without advice: no finding.
 void writeHealth(const std::filesystem::path& caseRoot,
                  const std::string& runId,
                  const HealthRows& rows);

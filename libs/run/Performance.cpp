@@ -1,6 +1,7 @@
 #include "run/Performance.h"
 
 #include "base/Format.h"
+#include "case/PerformanceRecord.h"
 #include "io/AtomicFile.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
@@ -155,87 +156,82 @@ const char* precisionName(Precision precision)
                                            : "single";
 }
 
-/// A number a pair, for programs that ask which friction does anything.
-std::string frictionWorks(Solver& solver, const Model& model)
+/// Friction of each pair, and the pair and node whose springs bounded the last step.
+void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
 {
-    std::string text;
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number)
         if (model.contactPairs[number].friction > 0)
-            text += format("  \"frictionWork {}\": {},\n", model.contactPairs[number].name,
-                           toText(solver.contact().force(number).friction));
-    return text;
-}
-
-/// Steps, and the pair and node whose springs bounded the last one.
-std::string stepFigures(Solver& solver, const Model& model)
-{
+            record.frictionWork.emplace_back(model.contactPairs[number].name,
+                                             solver.contact().force(number).friction);
     const StepClock clock = solver.clock();
     const bool given = model.control.fixedTimeStep > 0 || model.control.maximumTimeStep > 0;
-    const bool contact = !given && clock.elementStep > 0 && contactBoundsStep(clock, model.control);
-    return format("  \"time\": {}, \"lastStep\": {}, \"elementStep\": {},\n"
-                  "  \"contactLimitedBy\": \"{}\",\n",
-                  toText(clock.time), toText(clock.step), toText(clock.elementStep),
-                  contact ? stepLimit(solver, model) : "");
+    if (!given && clock.elementStep > 0 && contactBoundsStep(clock, model.control))
+        record.contactLimitedBy = stepLimit(solver, model);
 }
 
-/// What scripts read of a run; null is what was not timed, or has no meaning.
-std::string performanceText(Solver& solver,
-                            const Model& model,
-                            const std::string& checksum,
-                            const std::string& runId)
+PerformanceRecord performanceOf(Solver& solver, const Model& model)
 {
+    PerformanceRecord record;
     const StepTimes& t = solver.times();
     const StepClock clock = solver.clock();
-    const double steps = double(clock.steps), elements = double(model.mesh.hexahedra.size()),
-                 touching = double(contactors(model)), contact = t.contact + t.search;
+    record.backend = model.control.backend;
+    record.precision = precisionName(model.control.precision);
+    record.algorithm = model.control.paperAlgorithm ? "paper" : "default";
+    record.description = solver.description();
+    record.elements = std::int64_t(model.mesh.hexahedra.size());
+    record.nodes = std::int64_t(model.mesh.points.size());
+    record.contactors = std::int64_t(contactors(model));
+    record.steps = clock.steps;
+    record.searches = t.searches;
+    record.deviceBytes = std::int64_t(solver.fields().bytes());
+    record.wallSeconds = t.total;
+    record.threads = t.threads;
+    const double steps = double(record.steps), elements = double(record.elements),
+                 touching = double(record.contactors), contact = t.contact + t.search;
     const bool known = t.element > 0;
-    const auto over = [](double part, double whole, bool given, int digits) {
-        return given && whole > 0 ? toText(part / whole, digits) : std::string("null");
+    const auto over = [](double part, double whole, bool given) {
+        return given && whole > 0 ? std::optional(part / whole) : std::nullopt;
     };
-    return format("{\n  \"runId\": \"{}\",\n", runId)
-           + format("  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",
-                    model.mesh.hexahedra.size(), model.mesh.points.size(), contactors(model),
-                    clock.steps)
-           + format(
-               "  \"wallSeconds\": {}, \"nsPerElementStep\": {}, \"nsPerContactorStep\": {},\n",
-               toText(t.total, 6), over(1e9 * t.total, steps * elements, true, 5),
-               over(1e9 * contact, steps * touching, known, 5))
-           + format("  \"contactShare\": {}, \"searches\": {},\n", over(contact, t.total, known, 4),
-                    t.searches)
-           + format("  \"backend\": \"{}\", \"precision\": \"{}\", \"algorithm\": \"{}\",\n",
-                    model.control.backend, precisionName(model.control.precision),
-                    model.control.paperAlgorithm ? "paper" : "default")
-           + format("  \"description\": \"{}\", \"threads\": {},\n", solver.description(),
-                    toText(t.threads, 4))
-           + stepFigures(solver, model) + frictionWorks(solver, model)
-           + format("  \"bytesPerElementStep\": {}, \"deviceBytes\": {}, \"checksum\": \"{}\"\n}\n",
-                    over(double(bytesOfStep(solver, model.control.precision)), elements, true, 4),
-                    solver.fields().bytes(), checksum);
+    record.nsPerElementStep = over(1e9 * t.total, steps * elements, true);
+    record.nsPerContactorStep = over(1e9 * contact, steps * touching, known);
+    record.contactShare = over(contact, t.total, known);
+    record.bytesPerElementStep =
+        over(double(bytesOfStep(solver, model.control.precision)), elements, true);
+    record.time = clock.time;
+    record.lastStep = clock.step;
+    record.elementStep = clock.elementStep;
+    addContact(record, solver, model);
+    return record;
 }
 
 } // namespace
 
-void reportPerformance(Solver& solver, const Model& model, Run& run, const std::string& runId)
+void reportPerformance(Solver& solver,
+                       const Model& model,
+                       const std::filesystem::path& caseRoot,
+                       const std::string& runId,
+                       Log& log)
 {
     const StepTimes t = solver.times();
     const std::int64_t steps = solver.clock().steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
-    run.log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
-                        elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
-                        solver.description()));
+    log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
+                    elements, contactors(model), steps, toText(t.total, 4), toText(perStep, 4),
+                    solver.description()));
     if (t.threads > 0 && t.threads < threadCount(model.control) - 0.05)
-        run.log.line(format("  {} threads on average: other programs had the other cores",
-                            toText(t.threads, 3)));
+        log.line(format("  {} threads on average: other programs had the other cores",
+                        toText(t.threads, 3)));
     if (t.element > 0 && t.total > 0)
-        run.log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
-                            toText(100 * t.element / t.total, 3),
-                            toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
-                            toText(100 * t.node / t.total, 3)));
-    const std::string checksum = hexText(stateChecksum(solver));
-    run.log.line("stateChecksum = " + checksum);
-    writeFileAtomically(run.theCase.path("postProcessing/performance/0/performance.json"),
-                        performanceText(solver, model, checksum, runId));
+        log.line(format("  shares: elements {} %, contact {} % ({} searches), nodes {} %",
+                        toText(100 * t.element / t.total, 3),
+                        toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
+                        toText(100 * t.node / t.total, 3)));
+    PerformanceRecord record = performanceOf(solver, model);
+    record.runId = runId;
+    record.checksum = hexText(stateChecksum(solver));
+    log.line("stateChecksum = " + record.checksum);
+    writeFileAtomically(caseRoot / performanceFile, record.text());
 }
 
 namespace {
@@ -295,9 +291,11 @@ void reportContactCost(const StepClock& clock, const Control& control, Log& log)
 
 } // namespace
 
-void reportDryRun(Solver& solver, const Model& model, Run& run)
+void reportDryRun(Solver& solver,
+                  const Model& model,
+                  const std::filesystem::path& caseRoot,
+                  Log& log)
 {
-    Log& log = run.log;
     reportKernels(solver, model, log);
     log.line(format("{} nodes, {} elements in {} patches, {} contactors in {} pairs, {} MB",
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
@@ -313,7 +311,7 @@ void reportDryRun(Solver& solver, const Model& model, Run& run)
     reportStepSetters(stepSetters(solver, model), log);
     reportContactCost(clock, model.control, log);
     const double step = clock.stableStep > 0 ? steadyStep(clock, model.control) : clock.step;
-    const RunForecast forecast = forecastRun(solver, model, run.theCase.root(), step, -1);
+    const RunForecast forecast = forecastRun(solver, model, caseRoot, step, -1);
     const double aStep = solver.times().total / double(std::max<std::int64_t>(1, clock.steps));
     reportForecast(forecast, aStep, log);
     if (const std::string why = endlessReason(clock, model.control, -1); !why.empty())

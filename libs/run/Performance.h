@@ -1,13 +1,19 @@
 #pragma once
 
-#include "application/Application.h"
+#include "base/Log.h"
 #include "solver/Solver.h"
+
+#include <filesystem>
 
 namespace fpm {
 
 /// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
-/// postProcessing/performance/0/performance.json, with the id of the run.
-void reportPerformance(Solver& solver, const Model& model, Run& run, const std::string& runId);
+/// the PerformanceRecord of the run.
+void reportPerformance(Solver& solver,
+                       const Model& model,
+                       const std::filesystem::path& caseRoot,
+                       const std::string& runId,
+                       Log& log);
 
 /// One line on the mass that mass scaling adds; none where there is none.
 void reportMassScaling(const Solver& solver, Log& log);

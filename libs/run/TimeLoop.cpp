@@ -1,7 +1,8 @@
 #include "run/TimeLoop.h"
 
-#include "application/RunRecord.h"
+#include "base/Error.h"
 #include "base/Format.h"
+#include "case/RunRecord.h"
 #include "io/AtomicFile.h"
 #include "io/Frames.h"
 #include "run/ContactWatch.h"
@@ -42,14 +43,19 @@ const char* const failedFolder = "failed";
 class TimeLoop
 {
 public:
-    TimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps)
+    TimeLoop(Solver& solver,
+             const Model& model,
+             const std::filesystem::path& caseRoot,
+             const RunOptions& options,
+             Log& log)
         : solver_(solver),
           model_(model),
           control_(model.control),
-          run_(run),
-          maxSteps_(maxSteps),
-          record_(run.theCase, model.control.previousRun, run.log),
-          histories_(run.theCase.root(), model, record_.id()),
+          root_(caseRoot),
+          options_(options),
+          log_(log),
+          record_(root_, model.control.previousRun, log),
+          histories_(root_, model, record_.id()),
           health_(model, solver),
           edges_(model)
     {
@@ -70,21 +76,21 @@ public:
             throw;
         }
         end(RunState::finished);
-        if (run_.has("strict") && findings(verdicts_) > 0)
+        if (options_.strict && findings(verdicts_) > 0)
             throw Error(ExitCode::unhealthy, healthVerdict(verdicts_) + " (-strict)",
                         "the table of health above says what, where and what helps");
-        run_.log.line(healthVerdict(verdicts_));
+        log_.line(healthVerdict(verdicts_));
     }
 
 private:
     void loop()
     {
         const SignalWatch signals;
-        reportMassScaling(solver_, run_.log);
+        reportMassScaling(solver_, log_);
         sample();
-        reportOverlaps(solver_, model_, run_.log);
+        reportOverlaps(solver_, model_, log_);
         writeFrame();
-        reportStart(solver_, model_, run_.theCase.root(), maxSteps_, run_.log);
+        reportStart(solver_, model_, root_, options_.maxSteps, log_);
         while (!done()) {
             const double nextFrame = frameTime(frames_);
             const double due = std::min(nextFrame, sampleTime(samples_));
@@ -111,7 +117,7 @@ private:
     bool done() const
     {
         return clock_.settled || clock_.time >= control_.endTime
-               || (maxSteps_ >= 0 && clock_.steps >= maxSteps_);
+               || (options_.maxSteps >= 0 && clock_.steps >= options_.maxSteps);
     }
     double tiny() const { return 1e-9 * control_.endTime; }
     double frameTime(std::int64_t number) const
@@ -129,7 +135,7 @@ private:
     void advanceTo(double due, double stop)
     {
         std::int64_t steps = stepsUntil(clock_, due);
-        if (maxSteps_ >= 0) steps = std::min(steps, maxSteps_ - clock_.steps);
+        if (options_.maxSteps >= 0) steps = std::min(steps, options_.maxSteps - clock_.steps);
         solver_.advance(std::min(stop, control_.endTime), steps);
         clock_ = solver_.clock();
     }
@@ -144,7 +150,7 @@ private:
                && sampleTime(samples_) < control_.endTime)
             ++samples_;
         judge(row.energies);
-        edges_.checkIfDue(solver_, run_.log);
+        edges_.checkIfDue(solver_, log_);
     }
 
     void judge(const Energies& energies)
@@ -159,10 +165,10 @@ private:
             fail(format("energy balance error {} % at time {} is beyond energyBalance.stop {} %",
                         toText(100 * energies.balance, 3), clock_.time, 100 * control_.energyStop));
         if (error > control_.energyWarning && !balanceWarned_)
-            run_.log.warning(format("energy balance error {} % at time {} is beyond "
-                                    "energyBalance.warning {} %",
-                                    toText(100 * energies.balance, 3), clock_.time,
-                                    100 * control_.energyWarning));
+            log_.warning(format("energy balance error {} % at time {} is beyond "
+                                "energyBalance.warning {} %",
+                                toText(100 * energies.balance, 3), clock_.time,
+                                100 * control_.energyWarning));
         balanceWarned_ |= error > control_.energyWarning;
         checkInertia();
     }
@@ -173,7 +179,7 @@ private:
         if (!(control_.kineticShare > 0) || clock_.time < control_.quasiStaticAfter) return;
         const double share = energies_.kineticShare();
         if (share > control_.kineticShare && largestShare_ <= control_.kineticShare)
-            run_.log.warning(
+            log_.warning(
                 format("kinetic energy is {} % of that of the elements at time {}, more than "
                        "quasiStatic.kineticShare: inertia has a part in the result; load more "
                        "slowly or scale the mass less",
@@ -192,7 +198,8 @@ private:
             fail(format("step {} at time {}: {}", clock_.steps, clock_.time, found.what),
                  found.advice);
         }
-        if (const std::string why = endlessReason(clock_, control_, maxSteps_); !why.empty())
+        if (const std::string why = endlessReason(clock_, control_, options_.maxSteps);
+            !why.empty())
             fail(why, "see what limits the step, and whether endTime and the units are meant so");
     }
 
@@ -201,7 +208,7 @@ private:
                                "try a smaller timeStep.safety or normalScale, and see the element "
                                "or pair named")
     {
-        writeFileAtomically(run_.theCase.path("why.txt"), what + "\n");
+        writeFileAtomically(root_ / "why.txt", what + "\n");
         // Beside the mesh as any frame, but of no time: the series ends with the last good state.
         saveState(failedFolder);
         finish();
@@ -215,7 +222,7 @@ private:
     {
         Frame frame = resultFrame(solver_, model_);
         frame.runId = record_.id();
-        fpm::writeFrame(run_.theCase.root(), folder, frame, model_.mesh.points.size(),
+        fpm::writeFrame(root_, folder, frame, model_.mesh.points.size(),
                         model_.mesh.hexahedra.size());
     }
 
@@ -224,9 +231,9 @@ private:
         const std::string name = timeName(clock_.time);
         saveState(name);
         series_.push_back(name);
-        writeSeries(run_.theCase.root(), record_.id(), series_);
-        run_.log.line(format("Time = {}", name));
-        edges_.check(solver_, run_.log);
+        writeSeries(root_, record_.id(), series_);
+        log_.line(format("Time = {}", name));
+        edges_.check(solver_, log_);
         lastFrame_ = clock_.time;
         ++frames_;
     }
@@ -237,35 +244,34 @@ private:
         if (wall < nextLine_) return;
         nextLine_ = wall + 1;
         record_.tell(healthStatus(health_.sampledRows()));
-        record_.renew(clock_.time, clock_.steps, run_.log);
+        record_.renew(clock_.time, clock_.steps, log_);
         const double part = clock_.time / control_.endTime;
         const double rate = double(clock_.steps) * double(model_.mesh.hexahedra.size()) / wall;
-        run_.log.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
-                                 toText(100 * part, 3), toText(clock_.time, 4),
-                                 toText(clock_.step, 3), toText(100 * energies_.balance, 2),
-                                 toText(rate / 1e6, 3),
-                                 clockText(part > 0 ? wall * (1 - part) / part : 0)));
+        log_.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
+                             toText(100 * part, 3), toText(clock_.time, 4), toText(clock_.step, 3),
+                             toText(100 * energies_.balance, 2), toText(rate / 1e6, 3),
+                             clockText(part > 0 ? wall * (1 - part) / part : 0)));
     }
 
     void finish()
     {
         energies_ = solver_.ledger().energies();
-        reportEnergies(energies_, run_.log);
+        reportEnergies(energies_, log_);
         if (control_.kineticShare > 0)
-            run_.log.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,
-                                 toText(100 * largestShare_, 3)));
-        reportRest(clock_, control_, run_.log);
-        reportPairs(solver_, model_, run_.log);
-        reportContact(solver_, model_, run_.log);
-        reportErosion(solver_, model_, run_.log);
+            log_.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,
+                             toText(100 * largestShare_, 3)));
+        reportRest(clock_, control_, log_);
+        reportPairs(solver_, model_, log_);
+        reportContact(solver_, model_, log_);
+        reportErosion(solver_, model_, log_);
         if (clock_.steps > 0)
-            run_.log.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
-                                 stepLimit(solver_, model_)));
+            log_.line(format("last time step {}, limited by {}", toText(clock_.step, 4),
+                             stepLimit(solver_, model_)));
         verdicts_ = health_.rows(solver_, edges_);
-        for (const std::string& line : healthLines(verdicts_)) run_.log.line(line);
-        writeHealth(run_.theCase.root(), record_.id(), verdicts_);
+        for (const std::string& line : healthLines(verdicts_)) log_.line(line);
+        writeHealth(root_, record_.id(), verdicts_);
         record_.tell(healthStatus(verdicts_));
-        reportPerformance(solver_, model_, run_, record_.id());
+        reportPerformance(solver_, model_, root_, record_.id(), log_);
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
@@ -273,8 +279,9 @@ private:
     Solver& solver_;
     const Model& model_;
     const Control& control_;
-    Run& run_;
-    std::int64_t maxSteps_;
+    const std::filesystem::path root_; ///< of the case
+    const RunOptions options_;
+    Log& log_;
     RunRecord record_;
     Histories histories_;
     std::vector<std::string> series_; ///< time folders of the frames written
@@ -291,9 +298,13 @@ private:
 
 } // namespace
 
-void runTimeLoop(Solver& solver, const Model& model, Run& run, std::int64_t maxSteps)
+void runTimeLoop(Solver& solver,
+                 const Model& model,
+                 const std::filesystem::path& caseRoot,
+                 const RunOptions& options,
+                 Log& log)
 {
-    TimeLoop(solver, model, run, maxSteps).run();
+    TimeLoop(solver, model, caseRoot, options, log).run();
 }
 
 } // namespace fpm

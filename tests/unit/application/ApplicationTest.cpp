@@ -1,8 +1,8 @@
 #include "application/Application.h"
 
-#include "application/CaseLock.h"
 #include "base/Format.h"
-#include "unit/application/TemporaryCase.h"
+#include "case/CaseLock.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+#include "dictionary/Dictionary.h"
+#include "io/RunMark.h"
 #include "run/BodyOverlap.h"
 #include "run/EnergyHealth.h"
 #include "run/HealthLimits.h"
@@ -8,9 +10,6 @@
 #include "unit/solver/scenes.h"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace fpm::test {
 namespace {
@@ -163,13 +162,22 @@ TEST(HealthTable, IsParseableAndSaysTheVerdict)
     EXPECT_EQ(lines[2], "    = do this");
     const TemporaryFolder folder;
     writeHealth(folder.path(), "run1", rows);
-    std::ifstream file(folder / "postProcessing/health/0/health.dat");
-    std::stringstream text;
-    text << file.rdbuf();
-    EXPECT_EQ(text.str(), "# fpm run run1 postProcessing/health/0/health.dat\n"
-                          "# figure value limit time verdict where advice\n"
-                          "\"figure a\" 0.25 0.1 0.002 finding \"part a, (1 2 3)\" \"do this\"\n"
-                          "\"figure b\" 3 0 -1 ok \"\" \"\"\n");
+    const auto file = folder / "postProcessing/health/0/health";
+    EXPECT_EQ(markOf(file)->runId, "run1");
+    const Dictionary record = Dictionary::read(file, folder.path());
+    EXPECT_EQ(record.word("runId"), "run1");
+    EXPECT_EQ(record.integer("findings", 0, 9), 1);
+    const std::vector<Dictionary> figures = record.subList("figures");
+    ASSERT_EQ(figures.size(), 2u);
+    EXPECT_EQ(figures[0].word("figure"), "figure a");
+    EXPECT_EQ(figures[0].number("value"), 0.25);
+    EXPECT_EQ(figures[0].number("limit"), 0.1);
+    EXPECT_EQ(figures[0].number("time"), 2e-3);
+    EXPECT_EQ(figures[0].word("verdict"), "finding");
+    EXPECT_EQ(figures[0].word("where"), "part a, (1 2 3)");
+    EXPECT_EQ(figures[0].word("advice"), "do this");
+    EXPECT_EQ(figures[1].word("verdict"), "ok");
+    EXPECT_EQ(figures[1].keys(), (std::vector<std::string>{"figure", "value", "verdict"}));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
-#include "application/Case.h"
+#include "case/Case.h"
 
-#include "application/Confinement.h"
-#include "application/UnreadFiles.h"
 #include "base/Format.h"
+#include "case/Confinement.h"
+#include "case/UnreadFiles.h"
 
 #include <system_error>
 

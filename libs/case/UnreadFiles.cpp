@@ -1,4 +1,4 @@
-#include "application/UnreadFiles.h"
+#include "case/UnreadFiles.h"
 
 #include "base/Format.h"
 #include "dictionary/Suggestion.h"

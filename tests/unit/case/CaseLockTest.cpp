@@ -1,7 +1,7 @@
-#include "application/CaseLock.h"
+#include "case/CaseLock.h"
 
 #include "base/Error.h"
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,8 +1,8 @@
-#include "application/RunResults.h"
+#include "case/RunResults.h"
 
-#include "application/RunRecord.h"
 #include "base/Error.h"
-#include "unit/application/RunFiles.h"
+#include "case/RunRecord.h"
+#include "unit/case/RunFiles.h"
 
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ TEST(RunRecord, KeepsTheStatusOfItsRun)
     std::string text;
     Log log = Log::into(text);
 
-    RunRecord record(Case(folder.root()), "keep", log);
+    RunRecord record(folder.root(), "keep", log);
 
     const std::string id = record.id();
     EXPECT_EQ(text,

@@ -1,8 +1,8 @@
-#include "application/CaseLock.h"
+#include "case/CaseLock.h"
 
-#include "application/Machine.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/Machine.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

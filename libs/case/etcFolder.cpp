@@ -1,5 +1,5 @@
-#include "application/Case.h"
 #include "base/Format.h"
+#include "case/Case.h"
 
 #include <system_error>
 

@@ -1,6 +1,6 @@
-#include "application/Case.h"
+#include "case/Case.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "application/RunStatus.h"
+#include "case/PerformanceRecord.h"
+#include "case/RunStatus.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"
 #include "io/VtkHdf.h"
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 namespace fpm {
 
@@ -52,6 +53,9 @@ public:
              {"postProcessing/tip/0/displacement.dat", "postProcessing/end/0/U.dat",
               "postProcessing/pictures/mises_0.svg", "postProcessing/plots/tip.svg"})
             marked(file);
+        PerformanceRecord performance;
+        performance.runId = runId_;
+        folder_.write(performanceFile, performance.text());
         folder_.write("postProcessing/performance/0/performance.json", "{}");
         writeSeries(folder_.root(), runId_, times);
         status(RunState::finished);

@@ -1,4 +1,4 @@
-#include "application/Confinement.h"
+#include "case/Confinement.h"
 
 #include "base/Error.h"
 #include "base/Format.h"

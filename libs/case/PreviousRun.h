@@ -12,8 +12,8 @@ namespace fpm {
 inline constexpr const char* previousFolder = "previous";
 
 /// Files in a case, relative to it, that its runs and fpmProbe made: frames, histories, tables,
-/// pictures and plots by the mark they bear, `status`, why.txt, performance and series by name.
-/// Links, and what lies behind them, are none.
+/// pictures, plots and records by the mark they bear, `status`, why.txt, series and what older
+/// versions left by name. Links, and what lies behind them, are none.
 std::vector<std::string> resultFiles(const std::filesystem::path& caseRoot);
 
 /// Whether the folder `previous` of a case was made by clearForRun.

@@ -1,6 +1,6 @@
-#include "application/UnreadFiles.h"
+#include "case/UnreadFiles.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 

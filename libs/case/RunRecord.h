@@ -1,7 +1,7 @@
 #pragma once
 
-#include "application/Case.h"
-#include "application/RunStatus.h"
+#include "base/Log.h"
+#include "case/RunStatus.h"
 
 #include <chrono>
 
@@ -13,7 +13,7 @@ class RunRecord
 {
 public:
     /// Sets aside what an earlier run left, as controlDict.previousRun says, and writes `status`.
-    RunRecord(const Case& theCase, const std::string& previousRun, Log& log);
+    RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log);
 
     const std::string& id() const { return status_.runId; }
     /// Entries that `status` has from now on beside its own: "findings 1;\n".

@@ -1,8 +1,8 @@
-#include "application/RunStatus.h"
+#include "case/RunStatus.h"
 
-#include "application/CaseLock.h"
-#include "application/Machine.h"
-#include "unit/application/TemporaryCase.h"
+#include "base/Machine.h"
+#include "case/CaseLock.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,8 @@
-#include "application/Machine.h"
+#include "base/Machine.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <ctime>
 
 namespace fpm {
@@ -37,13 +34,6 @@ double processorSeconds()
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-void protectStandardStreams()
-{
-    std::signal(SIGPIPE, SIG_IGN);
-    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
-        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) open("/dev/null", O_RDWR);
 }
 
 } // namespace fpm

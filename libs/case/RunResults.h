@@ -1,7 +1,7 @@
 #pragma once
 
-#include "application/RunStatus.h"
 #include "base/Log.h"
+#include "case/RunStatus.h"
 #include "io/Frames.h"
 #include "io/Table.h"
 

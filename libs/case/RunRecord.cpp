@@ -1,13 +1,14 @@
-#include "application/RunRecord.h"
+#include "case/RunRecord.h"
 
-#include "application/Machine.h"
-#include "application/PreviousRun.h"
+#include "base/Error.h"
+#include "base/Machine.h"
+#include "case/PreviousRun.h"
 #include "io/AtomicFile.h"
 
 namespace fpm {
 
-RunRecord::RunRecord(const Case& theCase, const std::string& previousRun, Log& log)
-    : root_(theCase.root())
+RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log)
+    : root_(std::move(caseRoot))
 {
     clearForRun(root_, previousRun, log);
     status_.runId = makeRunId();

@@ -1,4 +1,4 @@
-#include "application/RunResults.h"
+#include "case/RunResults.h"
 
 #include "base/Format.h"
 #include "io/RunMark.h"

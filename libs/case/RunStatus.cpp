@@ -1,9 +1,9 @@
-#include "application/RunStatus.h"
+#include "case/RunStatus.h"
 
-#include "application/CaseLock.h"
-#include "application/Machine.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/Machine.h"
+#include "case/CaseLock.h"
 #include "dictionary/Dictionary.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-#include "application/PreviousRun.h"
+#include "case/PreviousRun.h"
 
-#include "application/Confinement.h"
-#include "application/RunStatus.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/Confinement.h"
+#include "case/RunStatus.h"
 #include "io/AtomicFile.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"
@@ -48,6 +48,7 @@ public:
     explicit ResultSearch(fs::path root) : root_(std::move(root))
     {
         // The status goes first: what is left of a run half moved is never taken for the whole.
+        // Runs of older versions left performance.json, which bears no mark.
         for (const char* name : {"status", "why.txt", "case.vtkhdf.series", "case.hdf.series",
                                  "postProcessing/performance/0/performance.json"})
             if (isPlainFile(root_ / name)) files_.emplace_back(name);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "application/Case.h"
 #include "base/Log.h"
+#include "case/Case.h"
 
 namespace fpm {
 

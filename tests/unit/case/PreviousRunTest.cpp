@@ -1,8 +1,8 @@
-#include "application/PreviousRun.h"
+#include "case/PreviousRun.h"
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "unit/application/RunFiles.h"
+#include "unit/case/RunFiles.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +30,7 @@ const std::set<std::string> resultsOfRun{"0/fields.vtkhdf",
                                          "case.hdf.series",
                                          "case.vtkhdf.series",
                                          "postProcessing/end/0/U.dat",
+                                         "postProcessing/performance/0/performance",
                                          "postProcessing/performance/0/performance.json",
                                          "postProcessing/pictures/mises_0.svg",
                                          "postProcessing/plots/tip.svg",
