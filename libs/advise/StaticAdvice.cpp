@@ -126,15 +126,15 @@ double frameBytes(const Model& model)
 
 } // namespace
 
-bool apart(const Mesh& mesh, const ContactPair& pair, const std::vector<double>& way)
+bool apart(const Mesh& mesh, const ContactPair& pair, const std::vector<double>& displacement)
 {
     Box contactor, target;
     for (const Index node : pair.contactorNodes) contactor.add(mesh.points[std::size_t(node)]);
     for (const Index node : nodesOf(mesh, pair.targetSides))
         target.add(mesh.points[std::size_t(node)]);
     for (std::size_t c = 0; c < 3; ++c)
-        if (contactor.low[c] - target.high[c] > 2 * way[c]
-            || target.low[c] - contactor.high[c] > 2 * way[c])
+        if (contactor.low[c] - target.high[c] > 2 * displacement[c]
+            || target.low[c] - contactor.high[c] > 2 * displacement[c])
             return true;
     return false;
 }
@@ -172,10 +172,10 @@ std::vector<Advice> pairAdvice(const Model& model)
     std::vector<Advice> advice;
     const std::optional<double> fastest = fastestDrive(model);
     if (!fastest) return advice;
-    const double way = 2 * *fastest * model.control.endTime;
+    const double displacement = 2 * *fastest * model.control.endTime;
     for (const ContactPair& pair : model.contactPairs) {
         if (pair.kind != ContactKind::pair || pair.surface >= 0) continue;
-        if (!apart(model.mesh, pair, {way, way, way})) continue;
+        if (!apart(model.mesh, pair, {displacement, displacement, displacement})) continue;
         Advice one{"pairs",
                    format("pair {} cannot meet", pair.name),
                    format("its boxes are farther apart than both move at {} until {}", 2 * *fastest,

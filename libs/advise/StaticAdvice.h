@@ -19,7 +19,8 @@ std::vector<Advice> pairAdvice(const Model& model);
 /// Frames that system/probeDict does not read, and histories with more rows than a plot can show.
 std::vector<Advice> outputAdvice(const Model& model, const Case& theCase);
 
-/// The box of a pair's contactor and target, moved by `way` to all sides: whether they are apart.
-bool apart(const Mesh& mesh, const ContactPair& pair, const std::vector<double>& way);
+/// The box of a pair's contactor and target, moved by `displacement` to all sides: whether they are
+/// apart.
+bool apart(const Mesh& mesh, const ContactPair& pair, const std::vector<double>& displacement);
 
 } // namespace fpm

@@ -24,8 +24,8 @@ void RunRecord::renew(double time, std::int64_t steps, Log& log)
     try {
         renewFile(root_ / "status", status_.text());
     } catch (const Error& error) {
-        if (!told_) log.warning(std::string("status is not up to date: ") + error.what());
-        told_ = true;
+        if (!warned_) log.warning(std::string("status is not up to date: ") + error.what());
+        warned_ = true;
     }
 }
 

@@ -29,7 +29,7 @@ private:
     std::filesystem::path root_;
     RunStatus status_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    bool told_ = false;
+    bool warned_ = false;
 };
 
 } // namespace fpm

@@ -79,7 +79,7 @@ Target targetOf(const Mesh& mesh, Index part, const std::vector<ElementSide>& si
 
 /// Surfaces in contact face each other; a node whose own sides point all ways has no say. The
 /// bounds are those of the search.
-bool looksAt(const Point& outward, const Point& normal)
+bool opposes(const Point& outward, const Point& normal)
 {
     return !(length(outward) > 0.2) || dot(normal, outward) < -0.01 * length(outward);
 }
@@ -106,7 +106,7 @@ public:
         if (!same && !material_.holds(point, target_.touching)) return;
         if (!tree_) tree_.emplace(mesh_, target_.sides);
         const auto faces = [&](const FaceTree::Hit& hit) {
-            return looksAt(outward, normal(mesh_, target_.sides[hit.face]));
+            return opposes(outward, normal(mesh_, target_.sides[hit.face]));
         };
         const FaceTree::Hit holder = tree_->nearest(point, outward, [&](const FaceTree::Hit& hit) {
             return hit.height < -target_.touching && -hit.height >= overTheFace * hit.distance
@@ -117,11 +117,11 @@ public:
         // The way out leads through the node's own body: it has come in by that way.
         // Of a body that is inside as a whole, any face that points towards it is one.
         Own& own = ownBody(ownPart);
-        const FaceTree::Hit way = tree_->nearest(point, outward, [&](const FaceTree::Hit& hit) {
+        const FaceTree::Hit exit = tree_->nearest(point, outward, [&](const FaceTree::Hit& hit) {
             return own.inside ? faces(hit) : own.body.holds(hit.point, -target_.touching);
         });
-        if (std::isfinite(way.distance) && faces(way))
-            keep(out_.tooDeep, node, way);
+        if (std::isfinite(exit.distance) && faces(exit))
+            keep(out_.tooDeep, node, exit);
         else
             out_.astray.push_back(node);
     }

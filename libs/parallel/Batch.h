@@ -136,7 +136,7 @@ struct NumberTraits<Batch<S, W>> {
     static constexpr int lanes = W;
 
     template <class Stored>
-    FPM_KERNEL static Batch<S, W> load(const Stored* p)
+    FPM_KERNEL static Batch<S, W> read(const Stored* p)
     {
         if constexpr (sizeof(Stored) == sizeof(S))
             return Batch<S, W>(*reinterpret_cast<const Native*>(p));

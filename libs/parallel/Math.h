@@ -17,7 +17,7 @@ struct NumberTraits {
     using Scalar = T;
     static constexpr int lanes = 1;
     template <class Stored>
-    FPM_KERNEL static T load(const Stored* p)
+    FPM_KERNEL static T read(const Stored* p)
     {
         return T(*p);
     }
@@ -102,9 +102,9 @@ FPM_KERNEL T maximum(T a, T b)
 
 /// The `lanes` consecutive values at p, converted from the type they are stored in.
 template <class T, class Stored>
-FPM_KERNEL T load(const Stored* p)
+FPM_KERNEL T read(const Stored* p)
 {
-    return NumberTraits<T>::load(p);
+    return NumberTraits<T>::read(p);
 }
 template <class T, class Stored>
 FPM_KERNEL void store(Stored* p, const T& value)

@@ -12,7 +12,7 @@ namespace fpm {
 
 namespace {
 
-constexpr double marginLeft = 20, headHeight = 66, sideWidth = 168, footHeight = 16;
+constexpr double marginLeft = 20, headHeight = 66, sideWidth = 168, footerHeight = 16;
 constexpr double barWidth = 20, triadSize = 34, triadHeight = 104;
 constexpr const char* dark = "#111827";
 
@@ -117,7 +117,7 @@ std::string pictureSheet(std::span<const std::uint8_t> png,
                          const PictureNotes& notes)
 {
     const double pageWidth = marginLeft + width + sideWidth;
-    SvgDrawing svg(pageWidth, headHeight + height + footHeight,
+    SvgDrawing svg(pageWidth, headHeight + height + footerHeight,
                    notes.title + ", " + notes.subtitle);
     svg.text({marginLeft, 29}, notes.title, {17, Anchor::start, dark, true});
     svg.text({marginLeft, 50}, notes.subtitle, {13});

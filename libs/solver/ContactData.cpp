@@ -1,6 +1,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
 #include "solver/MirrorPlanes.h"
@@ -26,7 +26,7 @@ const std::vector<ElementSide>& ownSides(const Model& model, const ContactPair& 
                 "run fpmSetContact");
 }
 
-void addOwnFaces(PairData& out, const Model& model, const std::vector<ElementSide>& sides)
+void addOwnFaces(ContactPassSetup& out, const Model& model, const std::vector<ElementSide>& sides)
 {
     std::map<Index, std::vector<Index>> around;
     for (const ElementSide& side : sides) {
@@ -43,7 +43,7 @@ void addOwnFaces(PairData& out, const Model& model, const std::vector<ElementSid
 }
 
 /// Bodies of faces and contactors, where there are several or some may not meet.
-void addComponents(PairData& out,
+void addComponents(ContactPassSetup& out,
                    const Model& model,
                    const ContactPair& pair,
                    const std::vector<ElementSide>& own,
@@ -82,7 +82,7 @@ void addComponents(PairData& out,
 
 /// Faces that are no partner of a contactor of the same body: those of all elements at the nodes of
 /// its own faces, so that neither its surroundings nor the other side of a thin layer capture it.
-void addExclusions(PairData& out,
+void addExclusions(ContactPassSetup& out,
                    const Model& model,
                    const ContactPair& pair,
                    const std::vector<ElementSide>& target)
@@ -118,7 +118,7 @@ bool differ(const std::vector<double>& stiffness)
 }
 
 /// On a plane of symmetry a surface does not end: its other half goes on there.
-void continueAtMirrors(PairData& pair, const std::vector<MirrorPlane>& planes)
+void continueAtMirrors(ContactPassSetup& pair, const std::vector<MirrorPlane>& planes)
 {
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
         const Point& normal = planes[plane].normal;
@@ -137,14 +137,14 @@ void continueAtMirrors(PairData& pair, const std::vector<MirrorPlane>& planes)
 }
 
 /// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
-PairData makePass(const SolverData& data,
-                  const Model& model,
-                  const ContactPair& pair,
-                  const std::vector<ElementSide>& own,
-                  const std::vector<ElementSide>& target,
-                  double share)
+ContactPassSetup makePass(const SolverData& data,
+                          const Model& model,
+                          const ContactPair& pair,
+                          const std::vector<ElementSide>& own,
+                          const std::vector<ElementSide>& target,
+                          double share)
 {
-    PairData out;
+    ContactPassSetup out;
     out.search = pair.search;
     out.projection = pair.projection;
     out.law = pair;
@@ -186,18 +186,18 @@ void addPasses(SolverData& data, const Model& model, std::size_t number)
     const ContactPair& pair = model.contactPairs[number];
     const std::vector<ElementSide>& own = ownSides(model, pair);
     if (pair.surface >= 0) {
-        data.pairs.push_back(makeSurfacePair(data, model, pair, own));
-        data.pairs.back().pair = number;
+        data.passes.push_back(makeSurfacePair(data, model, pair, own));
+        data.passes.back().pair = number;
         return;
     }
     const bool both = pair.passes == 2;
     const double share = both || pair.kind != ContactKind::pair ? 0.5 : 1.0;
-    data.pairs.push_back(makePass(data, model, pair, own, pair.targetSides, share));
-    data.pairs.back().pair = number;
+    data.passes.push_back(makePass(data, model, pair, own, pair.targetSides, share));
+    data.passes.back().pair = number;
     if (!both) return;
-    data.pairs.push_back(makePass(data, model, pair, pair.targetSides, own, share));
-    data.pairs.back().pair = number;
-    data.pairs.back().reversed = true;
+    data.passes.push_back(makePass(data, model, pair, pair.targetSides, own, share));
+    data.passes.back().pair = number;
+    data.passes.back().reversed = true;
 }
 
 /// Power of two that takes sums of values up to `most` to below `room`.
@@ -217,7 +217,7 @@ void addContact(SolverData& data, const Model& model)
     std::size_t contactors = 0;
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
         addPasses(data, model, pair);
-    for (const PairData& made : data.pairs) {
+    for (const ContactPassSetup& made : data.passes) {
         contactors += made.contactor.size();
         const double stiffness = fpm::largestStiffness(made);
         double depth = made.deepest;

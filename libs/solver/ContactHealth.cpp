@@ -41,7 +41,7 @@ ContactHealth::ContactHealth(const Model& model, const Solver& solver)
     : model_(model),
       pairs_(model.contactPairs.size())
 {
-    for (const PairData& pass : solver.data().pairs)
+    for (const ContactPassSetup& pass : solver.data().passes)
         pairs_[pass.pair].size = std::max(pairs_[pass.pair].size, pass.meanFaceSize);
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
         if (forgives(model.contactPairs[pair]))

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernels/contact/PairSums.h"
 #include "kernels/contact/PairTouch.h"
+#include "kernels/contact/PassSums.h"
+#include "kernels/contact/ReferenceDisplacement.h"
 #include "kernels/contact/Search.h"
-#include "kernels/contact/Travel.h"
 #include "parallel/Array.h"
 #include "solver/PenaltyData.h"
 
@@ -33,9 +33,9 @@ static std::vector<To> planes(const std::vector<Point>& points)
 }
 
 /// Arrays of one pass of a contact pair in the executor's memory.
-template <class Precision, class Executor>
-struct PairState {
-    using Work = typename Precision::Work;
+template <class Numbers, class Executor>
+struct ContactPassState {
+    using Work = typename Numbers::Work;
     template <class T>
     using Of = Array<T, Executor>;
 
@@ -53,19 +53,19 @@ struct PairState {
     Of<std::int64_t> force, contactorForce; ///< of faces, see BlockForce
     Of<double> surfaceForce;                ///< of an analytic surface on each contactor
     Of<double> spring, dissipated, dampingForce, damped, surfaceWork, injected,
-        sums; ///< of blocks, see PairSums
+        sums; ///< of blocks, see PassSums
     Of<std::int64_t> counts;
     std::uint32_t mask = 0;
 
-    static bool damps(const PairData& pair) { return pair.law.normalDamping > 0; }
-    static bool rubs(const PairData& pair) { return pair.law.friction > 0; }
+    static bool damps(const ContactPassSetup& pair) { return pair.law.normalDamping > 0; }
+    static bool hasFriction(const ContactPassSetup& pair) { return pair.law.friction > 0; }
     /// The stored tangential force is kept in the frame of a face.
-    static bool convectedFriction(const PairData& pair)
+    static bool convectedFriction(const ContactPassSetup& pair)
     {
-        return rubs(pair) && !pair.law.paperFriction && pair.surface < 0;
+        return hasFriction(pair) && !pair.law.paperFriction && pair.surface < 0;
     }
 
-    explicit PairState(const PairData& pair)
+    explicit ContactPassState(const ContactPassSetup& pair)
         : contactor(pair.contactor),
           ownFaceStart(pair.ownFaceStart),
           ownFaces(pair.ownFaces),
@@ -91,7 +91,8 @@ struct PairState {
           faceThickness(converted<float>(pair.faceThickness)),
           xi(pair.contactor.size()),
           eta(pair.contactor.size()),
-          friction(rubs(pair) ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size() : 0),
+          friction(hasFriction(pair) ? (convectedFriction(pair) ? 2 : 3) * pair.contactor.size()
+                                     : 0),
           overlap(pair.contactor.size()),
           contactorStiffness(converted<Work>(pair.contactorStiffness)),
           contactorMass(damps(pair) ? converted<Work>(pair.contactorMass) : std::vector<Work>{}),
@@ -104,13 +105,13 @@ struct PairState {
           contactorForce(pair.mayLeave ? 3 * pair.contactor.size() : 0),
           surfaceForce(pair.surface >= 0 ? 3 * pair.contactor.size() : 0),
           spring(pair.contactor.size()),
-          dissipated(rubs(pair) ? pair.contactor.size() : 0),
+          dissipated(hasFriction(pair) ? pair.contactor.size() : 0),
           dampingForce(damps(pair) ? pair.contactor.size() : 0),
           damped(damps(pair) ? pair.contactor.size() : 0),
           surfaceWork(pair.surface >= 0 ? pair.contactor.size() : 0),
           injected(pair.fadeTime > 0 ? 2 * pair.contactor.size() : 0),
-          sums(pairSums * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))),
-          counts(pairCounts)
+          sums(passSums * std::size_t(NodeBlocks::blocks(Index(pair.contactor.size())))),
+          counts(passCounts)
     {
         const bool faces = pair.search == ContactSearch::faces;
         entries = Of<CellEntry>(faces ? pair.faceThickness.size() : pair.target.size());
@@ -123,9 +124,9 @@ struct PairState {
     }
 
     /// What the kernels see of the pair, but for the state of the particles.
-    PairView<Precision> view(const PairData& pair)
+    ContactPassView<Numbers> view(const ContactPassSetup& pair)
     {
-        PairView<Precision> v{};
+        ContactPassView<Numbers> v{};
         v.contactorCount = Index(contactor.size());
         v.faceCount = Index(faceThickness.size());
         v.targetCount = Index(targetCorner.size());
@@ -168,7 +169,7 @@ struct PairState {
     }
 
     /// Springs, friction and damping of the pass.
-    PairLaw<Work> law(const PairData& pair)
+    PassLaw<Work> law(const ContactPassSetup& pair)
     {
         const ContactLaw& l = pair.law;
         const double slow = l.friction, fast = l.dynamicFriction;
@@ -195,7 +196,7 @@ struct PairState {
                 .limitFactor = Work(dampingLimit(l))};
     }
 
-    CellLists cells(const PairData& pair)
+    CellLists cells(const ContactPassSetup& pair)
     {
         return {head.data(), entries.data(), mask, pair.cellSize, pair.levels};
     }
@@ -224,9 +225,9 @@ struct PairState {
 };
 
 /// Enters the target of a pass into its cells and finds the face of every contactor that searches.
-template <class Precision, class Executor>
+template <class Numbers, class Executor>
 void searchPass(Executor& executor,
-                const PairView<Precision>& view,
+                const ContactPassView<Numbers>& view,
                 const CellLists& cells,
                 bool faces,
                 const NodeBlocks& blocks)
@@ -244,13 +245,13 @@ void searchPass(Executor& executor,
         executor.parallelFor(all, WhereSearched{blocks, kernel});
     };
     over(Index(cells.mask) + cells.levels + 2, Fill<Index>{cells.head, Index(-1)});
-    overNodes(ContactorNormal<Precision>{view});
+    overNodes(ContactorNormal<Numbers>{view});
     if (faces) {
-        over(view.faceCount, InsertFace<Precision>{view, cells});
-        overNodes(FindFace<Precision>{view, cells});
+        over(view.faceCount, InsertFace<Numbers>{view, cells});
+        overNodes(FindFace<Numbers>{view, cells});
     } else {
-        over(view.targetCount, InsertTarget<Precision>{view, cells});
-        overNodes(FindClosestParticle<Precision>{view, cells});
+        over(view.targetCount, InsertTarget<Numbers>{view, cells});
+        overNodes(FindClosestParticle<Numbers>{view, cells});
     }
 }
 

@@ -16,7 +16,7 @@ double lengthOf(const std::vector<Point>& points, Index a, Index b)
 }
 
 /// Face and edge across each edge; none where the surface ends, or where more than two faces meet.
-void addNeighbours(PairData& out, const std::vector<Point>& points)
+void addNeighbours(ContactPassSetup& out, const std::vector<Point>& points)
 {
     std::map<std::pair<Index, Index>, std::vector<std::size_t>> edges;
     const auto ends = [&](std::size_t edge) -> std::pair<Index, Index> {
@@ -37,7 +37,7 @@ void addNeighbours(PairData& out, const std::vector<Point>& points)
 }
 
 /// Target nodes, and the rings of face corners around them.
-void addTargetNodes(PairData& out)
+void addTargetNodes(ContactPassSetup& out)
 {
     out.target = out.faceNode;
     std::sort(out.target.begin(), out.target.end());
@@ -58,7 +58,7 @@ void addTargetNodes(PairData& out)
 }
 
 /// Largest distance between two corners of a face.
-double diagonalOf(const PairData& pair, const std::vector<Point>& points, std::size_t face)
+double diagonalOf(const ContactPassSetup& pair, const std::vector<Point>& points, std::size_t face)
 {
     double diagonal = 0;
     for (std::size_t a = 0; a < 4; ++a)
@@ -70,7 +70,7 @@ double diagonalOf(const PairData& pair, const std::vector<Point>& points, std::s
 
 } // namespace
 
-void addTopology(PairData& pair, const std::vector<Point>& points)
+void addTopology(ContactPassSetup& pair, const std::vector<Point>& points)
 {
     addNeighbours(pair, points);
     addTargetNodes(pair);

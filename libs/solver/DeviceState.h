@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/particle/NodePass.h"
+#include "kernels/particle/NodeMotion.h"
 #include "solver/ContactState.h"
 #include "solver/SearchState.h"
 
@@ -89,12 +89,12 @@ struct BodyArrays {
 };
 
 /// All arrays of a run in the executor's memory; allocated once.
-template <class Precision, class Executor>
+template <class Numbers, class Executor>
 struct DeviceState {
-    using Work = typename Precision::Work;
-    using Position = typename Precision::Position;
-    using Motion = typename Precision::Motion;
-    using Sum = typename Precision::Sum;
+    using Work = typename Numbers::Work;
+    using Position = typename Numbers::Position;
+    using Motion = typename Numbers::Motion;
+    using Sum = typename Numbers::Sum;
     template <class T>
     using Of = Array<T, Executor>;
 
@@ -119,11 +119,11 @@ struct DeviceState {
 
     Of<Index> contactNodes, contactNumber;
     Of<std::int64_t> contactSum;
-    Of<double> contactLimit, contactTravel, searchOrigin;
-    Of<float> searchOffset;
-    std::vector<PairState<Precision, Executor>> pairs;
+    Of<double> contactLimit, referenceDisplacement, referenceOrigin;
+    Of<float> referenceOffset;
+    std::vector<ContactPassState<Numbers, Executor>> passes;
     std::vector<SearchState<Executor>> searches; ///< of the passes whose lists last
-    Of<PassSearch> passSearches;
+    Of<PassListState> passLists;
     Of<StepClock> clock;
 
     DeviceState(const SolverData& data, const std::vector<Point>& points)
@@ -169,13 +169,13 @@ struct DeviceState {
           contactNumber(data.contactNumber),
           contactSum(4 * data.contactNodes.size()),
           contactLimit(blocks(Index(data.contactNodes.size())) + data.body.bodies.size()),
-          contactTravel(travelValues * blocks(Index(data.contactNodes.size()))),
-          searchOrigin(3 * blocks(Index(data.contactNodes.size()))),
-          searchOffset(3 * data.contactNodes.size()),
+          referenceDisplacement(displacementValues * blocks(Index(data.contactNodes.size()))),
+          referenceOrigin(3 * blocks(Index(data.contactNodes.size()))),
+          referenceOffset(3 * data.contactNodes.size()),
           clock(std::vector<StepClock>(1))
     {
         for (const KernelGroup& group : data.groups) groupPatches.emplace_back(group.patches);
-        for (const PairData& pair : data.pairs) pairs.emplace_back(pair);
+        for (const ContactPassSetup& pair : data.passes) passes.emplace_back(pair);
         // Patches of rigid parts are never worked: no bound comes from them.
         patchStep.fromHost(std::vector<double>(data.patches.size(), 1e30));
     }
@@ -184,7 +184,7 @@ struct DeviceState {
     {
         searches.clear();
         for (const NearBlocks::Pass& pass : near.passes()) searches.emplace_back(pass);
-        passSearches = Of<PassSearch>(searches.size());
+        passLists = Of<PassListState>(searches.size());
     }
     static std::size_t blocks(Index count)
     {
@@ -207,17 +207,17 @@ struct DeviceState {
             + interiorForce.bytes() + partialForce.bytes() + plasticStrain.bytes()
             + position.bytes() + velocity.bytes() + inverseMass.bytes() + fixed.bytes()
             + listedNodes.bytes() + conditionStart.bytes() + patchEnergy.bytes() + patchStep.bytes()
-            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes() + searchOrigin.bytes()
-            + searchOffset.bytes() + contactNodes.bytes() + contactLimit.bytes()
-            + contactTravel.bytes() + blockEnergy.bytes() + uses.bytes() + frameOf.bytes()
-            + frames.bytes() + pressureFaceNode.bytes() + pressureFaceCondition.bytes()
-            + pressureStart.bytes() + pressureSlots.bytes() + pressureForce.bytes() + body.bytes()
-            + conditions.bytes() + amplitudeRows.bytes() + lastForce.bytes()
-            + relaxationSum.bytes();
+            + blockWork.bytes() + contactNumber.bytes() + contactSum.bytes()
+            + referenceOrigin.bytes() + referenceOffset.bytes() + contactNodes.bytes()
+            + contactLimit.bytes() + referenceDisplacement.bytes() + blockEnergy.bytes()
+            + uses.bytes() + frameOf.bytes() + frames.bytes() + pressureFaceNode.bytes()
+            + pressureFaceCondition.bytes() + pressureStart.bytes() + pressureSlots.bytes()
+            + pressureForce.bytes() + body.bytes() + conditions.bytes() + amplitudeRows.bytes()
+            + lastForce.bytes() + relaxationSum.bytes();
         for (const auto& group : groupPatches) sum += group.bytes();
-        for (const auto& pair : pairs) sum += pair.bytes();
+        for (const auto& pair : passes) sum += pair.bytes();
         for (const auto& search : searches) sum += search.bytes();
-        return sum + passSearches.bytes();
+        return sum + passLists.bytes();
     }
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 /// An element whose points are never stored: all are at rest without stress.
 struct NoState {
-    void load(int, ElementState<double>& to) const { to = {}; }
+    void read(int, ElementState<double>& to) const { to = {}; }
     void store(int, const ElementState<double>&, const ElementStep<double>&) const {}
 };
 

@@ -111,17 +111,17 @@ bool Erosion::renewContact(SolverData& data, const std::vector<bool>& deleted)
     }
     if (!changed) return false;
     requirePlaces(sizesOf(model_)); // walls of holes join the surfaces
-    data.pairs.clear();
+    data.passes.clear();
     data.contactNodes.clear();
     addContact(data, model_);
     return true;
 }
 
-PairRenewal compared(const PairData& before, const PairData& after)
+PairRenewal compared(const ContactPassSetup& before, const ContactPassSetup& after)
 {
     PairRenewal out;
     using Slot = std::pair<Index, Index>; // a node is a contactor for each body it may touch
-    const auto slotOf = [](const PairData& pair, std::size_t i) {
+    const auto slotOf = [](const ContactPassSetup& pair, std::size_t i) {
         return Slot{pair.contactor[i], Index(i) / pair.nodeCount};
     };
     std::map<Slot, Index> contactors;
@@ -131,7 +131,7 @@ PairRenewal compared(const PairData& before, const PairData& after)
         const auto found = contactors.find(slotOf(after, i));
         out.contactor.push_back(found == contactors.end() ? -1 : found->second);
     }
-    const auto corners = [](const PairData& pair, std::size_t face) {
+    const auto corners = [](const ContactPassSetup& pair, std::size_t face) {
         const Index* nodes = &pair.faceNode[4 * face];
         return Quad{nodes[0], nodes[1], nodes[2], nodes[3]};
     };

@@ -33,6 +33,6 @@ private:
 struct PairRenewal {
     std::vector<Index> contactor, face;
 };
-PairRenewal compared(const PairData& before, const PairData& after);
+PairRenewal compared(const ContactPassSetup& before, const ContactPassSetup& after);
 
 } // namespace fpm

@@ -3,13 +3,13 @@
 #include "base/Error.h"
 #include "kernels/contact/ContactForce.h"
 #include "kernels/contact/NodeGap.h"
-#include "kernels/contact/PairSums.h"
+#include "kernels/contact/PassSums.h"
+#include "kernels/contact/ReferenceDisplacement.h"
 #include "kernels/contact/RigidSurface.h"
-#include "kernels/contact/Travel.h"
-#include "kernels/element/ElementPass.h"
+#include "kernels/element/ElementForces.h"
 #include "kernels/particle/BodyNodes.h"
-#include "kernels/particle/ClockPass.h"
-#include "kernels/particle/PressurePass.h"
+#include "kernels/particle/PressureForces.h"
+#include "kernels/particle/StepClockUpdate.h"
 #include "solver/DeviceState.h"
 #include "solver/Erosion.h"
 #include "solver/IdleCores.h"
@@ -24,7 +24,7 @@
 namespace fpm {
 
 /// The paper's step, in its order: element solver, contact solver, particle solver.
-template <class Precision, class Executor>
+template <class Numbers, class Executor>
 class ExplicitSolver final : public Solver
 {
 public:
@@ -56,7 +56,7 @@ public:
     PairOverlap initialOverlap(std::size_t pair) const override { return overlaps_[pair]; }
 
 private:
-    using Work = typename Precision::Work;
+    using Work = typename Numbers::Work;
     static constexpr std::int64_t batch = 10; ///< steps between looks of the host
     static double secondsSince(std::chrono::steady_clock::time_point begin)
     {
@@ -67,13 +67,13 @@ private:
     void integrate();
     void moveClock();
     void relax();
-    void elementPasses();
+    void launchElements();
     template <class Material, class Hourglass>
-    void elementPass(std::size_t group);
-    void contactPasses();
+    void launchElementGroup(std::size_t group);
+    void launchContact();
     template <bool friction>
-    void facesForce(std::size_t pass);
-    void lookAtContact(Index steps);
+    void launchFaceContact(std::size_t pass);
+    void checkContactLists(Index steps);
     void searchAll(const StepClock* clock);
     void searchOne(std::size_t pass, const NodeBlocks& blocks);
     void searchNow();
@@ -82,26 +82,29 @@ private:
     void arrangeContact(bool all);
     void shareContactNodes(std::size_t place);
     NearBlocks::Positions contactPositions() const;
-    void rememberPositions(const StepClock* clock);
+    void storeReferencePositions(const StepClock* clock);
     void measureOverlaps();
     void step();
-    void loadPasses();
+    void launchPressures();
     void moveBodies();
     void followDeletions();
     void endPressures(const std::vector<bool>& deleted);
     void renewContact(const std::vector<bool>& deleted);
     void renewPair(std::size_t pair, const PairRenewal& from, const ForceScale& before);
     void renewContactNodes(const std::vector<Index>& numbers, const ForceScale& before);
-    NodePass<Precision> nodePass() const;
+    NodeMotion<Numbers> nodeMotion() const;
     ContactSums contactSums();
-    PairView<Precision> pairView(std::size_t pair);
-    SurfaceForce<Precision> surfaceForce(std::size_t pair);
+    ContactPassView<Numbers> passView(std::size_t pair);
+    SurfaceForce<Numbers> surfaceForce(std::size_t pair);
     std::array<double, 2> kineticEnergy();
     /// Blocks of contact nodes; the bounds of the bodies follow theirs.
-    Index contactBlocks() const { return Index(state_.contactTravel.size() / travelValues); }
+    Index contactBlocks() const
+    {
+        return Index(state_.referenceDisplacement.size() / displacementValues);
+    }
     Index nodeBlocks() const { return Index(state_.blockEnergy.size() / 2); }
     std::array<double, nodeWorks> works() const;
-    std::array<double, pairSums> sumsOf(std::size_t pass);
+    std::array<double, passSums> sumsOf(std::size_t pass);
     std::vector<double> touchOf(std::size_t pass);
     std::vector<double> gapsOf(std::size_t pass);
 
@@ -111,7 +114,7 @@ private:
     Executor executor_;
     std::unique_ptr<IdleCores> cores_; ///< null where the number of threads is fixed
     std::string description_;
-    DeviceState<Precision, Executor> state_;
+    DeviceState<Numbers, Executor> state_;
     StepTimes times_;
     double hostSearch_ = 0; ///< seconds of searches between steps, not sampled as the others are
     std::vector<PairOverlap> overlaps_; ///< of each pair of the model
@@ -130,11 +133,11 @@ private:
     std::function<void(const StepClock&)> observer_;
 };
 
-template <class Precision, class Executor>
-ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
-                                                    Executor executor,
-                                                    std::string description,
-                                                    bool audit)
+template <class Numbers, class Executor>
+ExplicitSolver<Numbers, Executor>::ExplicitSolver(const Model& model,
+                                                  Executor executor,
+                                                  std::string description,
+                                                  bool audit)
     : data_(makeSolverData(model, audit)),
       massDamping_(model.control.massDamping),
       midStepStrain_(model.control.midStepStrain),
@@ -158,9 +161,9 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
         executor_.useThreads(cores_->threads());
     }
     nearBlocks_ = NearBlocks(data_);
-    if (data_.erodes && !data_.pairs.empty()) erosion_ = std::make_unique<Erosion>(model);
+    if (data_.erodes && !data_.passes.empty()) erosion_ = std::make_unique<Erosion>(model);
     for (const NearBlocks::Pass& pass : nearBlocks_.passes())
-        if (data_.pairs[pass.number].search == ContactSearch::closestParticle)
+        if (data_.passes[pass.number].search == ContactSearch::closestParticle)
             searching_ = Searching::everyStep;
         else if (searching_ == Searching::never)
             searching_ = Searching::lists;
@@ -168,8 +171,8 @@ ExplicitSolver<Precision, Executor>::ExplicitSolver(const Model& model,
     if (searching_ == Searching::lists) state_.setSearches(nearBlocks_);
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::start()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::start()
 {
     if (searching_ != Searching::never) {
         searchNow();
@@ -181,8 +184,8 @@ void ExplicitSolver<Precision, Executor>::start()
     startEnergy_ = first.total - first.external;
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxSteps)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::advance(double time, std::int64_t maxSteps)
 {
     const auto begin = std::chrono::steady_clock::now();
     StepClock now = clock();
@@ -206,7 +209,7 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
             steps,
             [&] {
                 if (searching_ == Searching::lists)
-                    executor_.timed(times_.search, [&] { lookAtContact(Index(steps)); });
+                    executor_.timed(times_.search, [&] { checkContactLists(Index(steps)); });
             },
             [&] { step(); });
         executor_.synchronize();
@@ -220,8 +223,8 @@ void ExplicitSolver<Precision, Executor>::advance(double time, std::int64_t maxS
     times_.total += secondsSince(begin);
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::useThreads(int threads)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::useThreads(int threads)
 {
     const int before = executor_.threads();
     executor_.useThreads(threads);
@@ -230,8 +233,8 @@ void ExplicitSolver<Precision, Executor>::useThreads(int threads)
 }
 
 /// Does nothing once contact lists have to be made.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::step()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::step()
 {
     if constexpr (Executor::sharesMemory)
         if (!state_.clock.data()->mayStep()) return;
@@ -241,21 +244,21 @@ void ExplicitSolver<Precision, Executor>::step()
     computeForces();
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::computeForces()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::computeForces()
 {
-    executor_.timed(times_.element, [&] { elementPasses(); });
-    if (!data_.pairs.empty()) executor_.timed(times_.contact, [&] { contactPasses(); });
-    executor_.timed(times_.node, [&] { loadPasses(); });
+    executor_.timed(times_.element, [&] { launchElements(); });
+    if (!data_.passes.empty()) executor_.timed(times_.contact, [&] { launchContact(); });
+    executor_.timed(times_.node, [&] { launchPressures(); });
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::integrate()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::integrate()
 {
     executor_.timed(times_.node, [&] {
         if (data_.relaxation.tolerance > 0) relax();
         moveClock();
-        NodePass<Precision> nodes = nodePass();
+        NodeMotion<Numbers> nodes = nodeMotion();
         if (data_.sharesNodes) {
             nodes.list = state_.listedNodes.data();
             nodes.nodeCount = Index(state_.listedNodes.size());
@@ -266,23 +269,23 @@ void ExplicitSolver<Precision, Executor>::integrate()
 }
 
 /// Where no step follows, judges the state that was reached.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::moveClock()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::moveClock()
 {
-    const ClockPass pass{state_.patchStep.data(),
-                         Index(state_.patchStep.size()),
-                         state_.contactLimit.data(),
-                         Index(state_.contactLimit.size()),
-                         rules_,
-                         state_.clock.data()};
-    executor_.parallelBlocks(1, ClockPass::scratch(), pass);
+    const StepClockUpdate kernel{state_.patchStep.data(),
+                                 Index(state_.patchStep.size()),
+                                 state_.contactLimit.data(),
+                                 Index(state_.contactLimit.size()),
+                                 rules_,
+                                 state_.clock.data()};
+    executor_.parallelBlocks(1, StepClockUpdate::scratch(), kernel);
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::relax()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::relax()
 {
-    const RelaxationNodes<Precision> nodes{nodePass(), state_.lastForce.data(),
-                                           state_.relaxationSum.data()};
+    const RelaxationNodes<Numbers> nodes{nodeMotion(), state_.lastForce.data(),
+                                         state_.relaxationSum.data()};
     executor_.parallelBlocks(nodeBlocks(), relaxationScratch(), nodes);
     const RelaxationClock relaxation{
         state_.relaxationSum.data(),     nodeBlocks(),     state_.patchEnergy.data(),
@@ -291,41 +294,41 @@ void ExplicitSolver<Precision, Executor>::relax()
     executor_.parallelBlocks(1, RelaxationClock::scratch(), relaxation);
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::elementPasses()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::launchElements()
 {
     for (std::size_t group = 0; group < data_.groups.size(); ++group) {
         const bool general = data_.groups[group].general;
         const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
         if (data_.groups[group].hexahedron == HexahedronForm::selective) {
-            elementPass<GeneralPlasticity, SelectiveIntegration>(group);
+            launchElementGroup<GeneralPlasticity, SelectiveIntegration>(group);
             continue;
         }
         switch (data_.groups[group].hourglass) {
         case HourglassForm::stiffness:
-            general   ? elementPass<GeneralPlasticity, StiffnessHourglass>(group)
-            : plastic ? elementPass<J2Plasticity, StiffnessHourglass>(group)
-                      : elementPass<Elastic, StiffnessHourglass>(group);
+            general   ? launchElementGroup<GeneralPlasticity, StiffnessHourglass>(group)
+            : plastic ? launchElementGroup<J2Plasticity, StiffnessHourglass>(group)
+                      : launchElementGroup<Elastic, StiffnessHourglass>(group);
             break;
         case HourglassForm::viscous:
-            general   ? elementPass<GeneralPlasticity, ViscousHourglass>(group)
-            : plastic ? elementPass<J2Plasticity, ViscousHourglass>(group)
-                      : elementPass<Elastic, ViscousHourglass>(group);
+            general   ? launchElementGroup<GeneralPlasticity, ViscousHourglass>(group)
+            : plastic ? launchElementGroup<J2Plasticity, ViscousHourglass>(group)
+                      : launchElementGroup<Elastic, ViscousHourglass>(group);
             break;
         case HourglassForm::physical:
-            general   ? elementPass<GeneralPlasticity, PhysicalHourglass>(group)
-            : plastic ? elementPass<J2Plasticity, PhysicalHourglass>(group)
-                      : elementPass<Elastic, PhysicalHourglass>(group);
+            general   ? launchElementGroup<GeneralPlasticity, PhysicalHourglass>(group)
+            : plastic ? launchElementGroup<J2Plasticity, PhysicalHourglass>(group)
+                      : launchElementGroup<Elastic, PhysicalHourglass>(group);
             break;
         }
     }
 }
 
-template <class Precision, class Executor>
+template <class Numbers, class Executor>
 template <class Material, class Hourglass>
-void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
+void ExplicitSolver<Numbers, Executor>::launchElementGroup(std::size_t group)
 {
-    const ElementPass<Precision, Material, Hourglass> pass{
+    const ElementForces<Numbers, Material, Hourglass> kernel{
         .list = state_.groupPatches[group].data(),
         .patches = state_.patches.data(),
         .materials = state_.materials.data(),
@@ -347,13 +350,13 @@ void ExplicitSolver<Precision, Executor>::elementPass(std::size_t group)
         .deletions = &state_.clock.data()->deletions,
         .strainPoint = Work(midStepStrain_ ? 0.5 : 1.0),
         .movesInterior = data_.sharesNodes};
-    executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, pass);
+    executor_.parallelBlocks(Index(state_.groupPatches[group].size()), elementScratch_, kernel);
 }
 
-template <class Precision, class Executor>
-NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
+template <class Numbers, class Executor>
+NodeMotion<Numbers> ExplicitSolver<Numbers, Executor>::nodeMotion() const
 {
-    auto& s = const_cast<DeviceState<Precision, Executor>&>(state_);
+    auto& s = const_cast<DeviceState<Numbers, Executor>&>(state_);
     return {.nodeCount = data_.nodeCount,
             .list = nullptr,
             .position = s.position.data(),
@@ -380,7 +383,7 @@ NodePass<Precision> ExplicitSolver<Precision, Executor>::nodePass() const
             .pressureSlots = s.pressureSlots.data(),
             .pressureForce = s.pressureForce.data(),
             .pressureStride = data_.pressureFaceNode.size(),
-            .massDamping = typename Precision::Motion(massDamping_),
+            .massDamping = typename Numbers::Motion(massDamping_),
             .ledger = ledger_,
             .blockWork = s.blockWork.data(),
             .clock = s.clock.data()};

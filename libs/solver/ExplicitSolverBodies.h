@@ -5,13 +5,13 @@
 namespace fpm {
 
 /// Pressures at the present positions, then the forces on the rigid bodies.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::loadPasses()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::launchPressures()
 {
     if (!data_.pressureFaceCondition.empty())
         executor_.parallelFor(
             Index(data_.pressureFaceCondition.size()),
-            PressurePass<Precision>{state_.pressureFaceNode.data(),
+            PressureForces<Numbers>{state_.pressureFaceNode.data(),
                                     state_.pressureFaceCondition.data(), state_.conditions.data(),
                                     state_.amplitudeRows.data(), state_.position.data(),
                                     std::size_t(data_.nodeCount), state_.pressureForce.data(),
@@ -19,9 +19,9 @@ void ExplicitSolver<Precision, Executor>::loadPasses()
     if (data_.body.bodies.empty()) return;
     auto& body = state_.body;
     executor_.parallelBlocks(Index(data_.body.blocks.size()), bodyScratch(),
-                             BodyForces<Precision>{nodePass(), body.blocks.data(),
-                                                   body.loaded.data(), body.inverseMass.data(),
-                                                   body.bodies.data(), body.sums.data()});
+                             BodyForces<Numbers>{nodeMotion(), body.blocks.data(),
+                                                 body.loaded.data(), body.inverseMass.data(),
+                                                 body.bodies.data(), body.sums.data()});
     executor_.parallelBlocks(
         Index(data_.body.bodies.size()), BodySum::scratch(),
         BodySum{body.bodies.data(), body.blockStart.data(), body.sums.data(), body.useStart.data(),
@@ -29,22 +29,22 @@ void ExplicitSolver<Precision, Executor>::loadPasses()
                 state_.contactLimit.data() + contactBlocks(), state_.clock.data()});
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::moveBodies()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::moveBodies()
 {
     auto& body = state_.body;
     const Index nodes = Index(data_.body.nodes.size());
     executor_.parallelFor(Index(data_.body.bodies.size()),
                           BodyStep{body.bodies.data(), massDamping_, state_.clock.data()});
     executor_.parallelFor(nodes,
-                          BodyMotion<Precision>{body.nodes.data(), body.bodyOf.data(),
-                                                body.arm.data(), nodes, body.bodies.data(),
-                                                state_.position.data(), state_.velocity.data(),
-                                                std::size_t(data_.nodeCount), state_.clock.data()});
+                          BodyMotion<Numbers>{body.nodes.data(), body.bodyOf.data(),
+                                              body.arm.data(), nodes, body.bodies.data(),
+                                              state_.position.data(), state_.velocity.data(),
+                                              std::size_t(data_.nodeCount), state_.clock.data()});
 }
 
-template <class Precision, class Executor>
-BodyMotionValues ExplicitSolver<Precision, Executor>::bodyMotion(std::size_t number)
+template <class Numbers, class Executor>
+BodyMotionValues ExplicitSolver<Numbers, Executor>::bodyMotion(std::size_t number)
 {
     executor_.synchronize();
     const RigidBody body = state_.body.bodies.toHost()[number];

@@ -5,8 +5,8 @@
 
 namespace fpm {
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::followDeletions()
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::followDeletions()
 {
     const bool presses = !data_.pressureFaceCondition.empty();
     if (!presses && !erosion_) return;
@@ -16,8 +16,8 @@ void ExplicitSolver<Precision, Executor>::followDeletions()
 }
 
 /// Sides of deleted elements bear no pressure from the next step on.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::endPressures(const std::vector<bool>& deleted)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::endPressures(const std::vector<bool>& deleted)
 {
     for (std::size_t face = 0; face < data_.pressureFaceElement.size(); ++face)
         if (deleted[std::size_t(data_.pressureFaceElement[face])])
@@ -27,15 +27,15 @@ void ExplicitSolver<Precision, Executor>::endPressures(const std::vector<bool>& 
 
 /// Renews the contact surfaces and keeps what is known of the contactors that stay: face, friction,
 /// forces of this time. What springs of vanished faces held is booked as lost.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& deleted)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::renewContact(const std::vector<bool>& deleted)
 {
-    const std::vector<PairData> pairs = data_.pairs;
+    const std::vector<ContactPassSetup> pairs = data_.passes;
     const std::vector<Index> numbers = data_.contactNumber;
     const ForceScale scale = data_.contactScale;
     if (!erosion_->renewContact(data_, deleted)) return;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair)
-        renewPair(pair, compared(pairs[pair], data_.pairs[pair]), scale);
+        renewPair(pair, compared(pairs[pair], data_.passes[pair]), scale);
     renewContactNodes(numbers, scale);
     if (data_.sharesNodes) {
         shareNodes(data_);
@@ -43,7 +43,7 @@ void ExplicitSolver<Precision, Executor>::renewContact(const std::vector<bool>& 
         state_.listedNodes = Array<Index, Executor>(data_.listedNodes);
     }
     executor_.forgetSteps();
-    for (const PassSearch& pass : state_.passSearches.toHost()) times_.searches += pass.searches;
+    for (const PassListState& pass : state_.passLists.toHost()) times_.searches += pass.searches;
     nearBlocks_ = NearBlocks(data_);
     if (searching_ == Searching::lists) state_.setSearches(nearBlocks_);
     searchNow();
@@ -96,9 +96,9 @@ static std::vector<std::int64_t> stayingForce(const Array<std::int64_t, Executor
 }
 
 /// What goes on where a contactor and its face stay: place, spring and friction.
-template <class Precision, class Executor>
-static void carryTouch(const PairState<Precision, Executor>& old,
-                       PairState<Precision, Executor>& renewed,
+template <class Numbers, class Executor>
+static void carryTouch(const ContactPassState<Numbers, Executor>& old,
+                       ContactPassState<Numbers, Executor>& renewed,
                        const std::vector<Index>& touching,
                        std::size_t oldCount)
 {
@@ -115,9 +115,9 @@ static void carryTouch(const PairState<Precision, Executor>& old,
 }
 
 /// What has been booked of a contactor that stays, in touch or not.
-template <class Precision, class Executor>
-static void carryWorks(const PairState<Precision, Executor>& old,
-                       PairState<Precision, Executor>& renewed,
+template <class Numbers, class Executor>
+static void carryWorks(const ContactPassState<Numbers, Executor>& old,
+                       ContactPassState<Numbers, Executor>& renewed,
                        const std::vector<Index>& contactor,
                        std::size_t oldCount)
 {
@@ -128,14 +128,14 @@ static void carryWorks(const PairState<Precision, Executor>& old,
     take(old.injected, renewed.injected);
 }
 
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
-                                                    const PairRenewal& from,
-                                                    const ForceScale& before)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::renewPair(std::size_t number,
+                                                  const PairRenewal& from,
+                                                  const ForceScale& before)
 {
-    PairState<Precision, Executor>& old = state_.pairs[number];
-    PairState<Precision, Executor> renewed(data_.pairs[number]);
-    const bool faces = data_.pairs[number].surface < 0;
+    ContactPassState<Numbers, Executor>& old = state_.passes[number];
+    ContactPassState<Numbers, Executor> renewed(data_.passes[number]);
+    const bool faces = data_.passes[number].surface < 0;
     const std::size_t oldCount = old.contactor.size(), count = from.contactor.size();
     const auto newFace = [&](Index face) {
         return face >= 0 ? from.face[std::size_t(face)] : face;
@@ -170,11 +170,11 @@ void ExplicitSolver<Precision, Executor>::renewPair(std::size_t number,
 
 /// The forces of this time, and the bounds of the bodies, stay for the step that follows;
 /// `numbers`: contact numbers of all nodes before.
-template <class Precision, class Executor>
-void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<Index>& numbers,
-                                                            const ForceScale& before)
+template <class Numbers, class Executor>
+void ExplicitSolver<Numbers, Executor>::renewContactNodes(const std::vector<Index>& numbers,
+                                                          const ForceScale& before)
 {
-    using Motion = typename Precision::Motion;
+    using Motion = typename Numbers::Motion;
     const std::size_t count = data_.contactNodes.size();
     const std::vector<std::int64_t> old = state_.contactSum.toHost();
     std::vector<std::int64_t> sum(4 * count);
@@ -194,15 +194,15 @@ void ExplicitSolver<Precision, Executor>::renewContactNodes(const std::vector<In
         if (!(data_.fixed[node] & imposedNode))
             most = std::max(most, stiffness * double(Motion(1 / data_.nodeMass[node])));
     }
-    using Numbers = Array<Index, Executor>;
-    state_.contactNodes = Numbers(data_.contactNodes);
-    state_.contactNumber = Numbers(data_.contactNumber);
+    using Indices = Array<Index, Executor>;
+    state_.contactNodes = Indices(data_.contactNodes);
+    state_.contactNumber = Indices(data_.contactNumber);
     state_.contactSum = Array<std::int64_t, Executor>(sum);
-    state_.contactTravel = Array<double, Executor>(travelValues * limit.size());
+    state_.referenceDisplacement = Array<double, Executor>(displacementValues * limit.size());
     limit.insert(limit.end(), ofBodies.begin(), ofBodies.end());
     state_.contactLimit = Array<double, Executor>(limit);
-    state_.searchOrigin = Array<double, Executor>(3 * state_.blocks(Index(count)));
-    state_.searchOffset = Array<float, Executor>(3 * count);
+    state_.referenceOrigin = Array<double, Executor>(3 * state_.blocks(Index(count)));
+    state_.referenceOffset = Array<float, Executor>(3 * count);
 }
 
 } // namespace fpm

@@ -4,26 +4,26 @@
 
 namespace fpm {
 
-template <class Precision, class Executor>
-StepTimes ExplicitSolver<Precision, Executor>::times() const
+template <class Numbers, class Executor>
+StepTimes ExplicitSolver<Numbers, Executor>::times() const
 {
     StepTimes out = times_;
     for (double* part : {&out.element, &out.contact, &out.node, &out.search})
         *part *= executor_.timedScale();
     out.search += hostSearch_;
     out.threads = cores_ ? cores_->mean() : executor_.threads();
-    for (const PassSearch& pass : state_.passSearches.toHost()) out.searches += pass.searches;
+    for (const PassListState& pass : state_.passLists.toHost()) out.searches += pass.searches;
     if (searching_ == Searching::everyStep)
         out.searches += clock().steps * std::int64_t(nearBlocks_.passes().size());
     return out;
 }
 
 /// Kinetic energy, and the half work of loads and drives that closes the ledger at this time.
-template <class Precision, class Executor>
-std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
+template <class Numbers, class Executor>
+std::array<double, 2> ExplicitSolver<Numbers, Executor>::kineticEnergy()
 {
     executor_.parallelBlocks(nodeBlocks(), nodeScratch(),
-                             KineticEnergy<Precision>{nodePass(), state_.blockEnergy.data()});
+                             KineticEnergy<Numbers>{nodeMotion(), state_.blockEnergy.data()});
     executor_.synchronize();
     std::array<double, 2> sums{0, 0};
     const std::vector<double> blocks = state_.blockEnergy.toHost();
@@ -37,8 +37,8 @@ std::array<double, 2> ExplicitSolver<Precision, Executor>::kineticEnergy()
     return sums;
 }
 
-template <class Precision, class Executor>
-std::array<double, nodeWorks> ExplicitSolver<Precision, Executor>::works() const
+template <class Numbers, class Executor>
+std::array<double, nodeWorks> ExplicitSolver<Numbers, Executor>::works() const
 {
     std::array<double, nodeWorks> sums{};
     const std::vector<double> blocks = state_.blockWork.toHost();
@@ -48,8 +48,8 @@ std::array<double, nodeWorks> ExplicitSolver<Precision, Executor>::works() const
     return sums;
 }
 
-template <class Precision, class Executor>
-Energies ExplicitSolver<Precision, Executor>::energies()
+template <class Numbers, class Executor>
+Energies ExplicitSolver<Numbers, Executor>::energies()
 {
     executor_.synchronize();
     Energies out;
@@ -77,8 +77,8 @@ Energies ExplicitSolver<Precision, Executor>::energies()
     out.contactDamping = lost_.contactDamping;
     out.external = lost_.external;
     double faded = 0; // what the end of forgiven overlaps put into springs
-    for (std::size_t pass = 0; pass < state_.pairs.size(); ++pass) {
-        const std::array<double, pairSums> sums = sumsOf(pass);
+    for (std::size_t pass = 0; pass < state_.passes.size(); ++pass) {
+        const std::array<double, passSums> sums = sumsOf(pass);
         out.contact += sums[sumSpring];
         out.friction += sums[sumDissipated];
         out.contactDamping += sums[sumDamped];
@@ -105,25 +105,25 @@ Energies ExplicitSolver<Precision, Executor>::energies()
 }
 
 /// Over the contactors of a pass, added up on the device: a history row must not copy them all.
-template <class Precision, class Executor>
-std::array<double, pairSums> ExplicitSolver<Precision, Executor>::sumsOf(std::size_t pass)
+template <class Numbers, class Executor>
+std::array<double, passSums> ExplicitSolver<Numbers, Executor>::sumsOf(std::size_t pass)
 {
-    PairState<Precision, Executor>& s = state_.pairs[pass];
+    ContactPassState<Numbers, Executor>& s = state_.passes[pass];
     const Index count = Index(s.contactor.size()), blocks = NodeBlocks::blocks(count);
-    executor_.parallelBlocks(blocks, PairSums::scratch(),
-                             PairSums{count, s.spring.data(), s.dissipated.data(), s.damped.data(),
+    executor_.parallelBlocks(blocks, PassSums::scratch(),
+                             PassSums{count, s.spring.data(), s.dissipated.data(), s.damped.data(),
                                       s.surfaceWork.data(), s.injected.data(),
                                       s.surfaceForce.data(), s.force.data(), data_.contactScale,
                                       s.sums.data()});
     executor_.synchronize();
-    std::array<double, pairSums> total{};
+    std::array<double, passSums> total{};
     const std::vector<double> parts = s.sums.toHost();
-    for (std::size_t k = 0; k < parts.size(); ++k) total[k % pairSums] += parts[k];
+    for (std::size_t k = 0; k < parts.size(); ++k) total[k % passSums] += parts[k];
     return total;
 }
 
-template <class Precision, class Executor>
-NodalWorks ExplicitSolver<Precision, Executor>::nodalWorks()
+template <class Numbers, class Executor>
+NodalWorks ExplicitSolver<Numbers, Executor>::nodalWorks()
 {
     executor_.synchronize();
     const auto sums = works();
@@ -132,21 +132,21 @@ NodalWorks ExplicitSolver<Precision, Executor>::nodalWorks()
             sums[damping]};
 }
 
-template <class Precision, class Executor>
-PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
+template <class Numbers, class Executor>
+PairForce ExplicitSolver<Numbers, Executor>::pairForce(std::size_t number)
 {
     executor_.synchronize();
     PairForce out;
-    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
-        if (data_.pairs[pass].pair != number) continue;
-        const std::array<double, pairSums> sums = sumsOf(pass);
-        const double sign = data_.pairs[pass].reversed ? -1 : 1;
+    for (std::size_t pass = 0; pass < data_.passes.size(); ++pass) {
+        if (data_.passes[pass].pair != number) continue;
+        const std::array<double, passSums> sums = sumsOf(pass);
+        const double sign = data_.passes[pass].reversed ? -1 : 1;
         for (std::size_t c = 0; c < 3; ++c) out.force[c] += sign * sums[sumForce + c];
         out.active += Index(sums[sumTouching]);
         out.spring += sums[sumSpring];
         out.friction += sums[sumDissipated];
         out.damping += sums[sumDamped];
-        const std::vector<std::int64_t> counts = state_.pairs[pass].counts.toHost();
+        const std::vector<std::int64_t> counts = state_.passes[pass].counts.toHost();
         out.released += counts[countReleased];
         out.overEdge += counts[countOverEdge];
         out.inside += counts[countInside];
@@ -158,33 +158,33 @@ PairForce ExplicitSolver<Precision, Executor>::pairForce(std::size_t number)
 }
 
 /// [block][touchValues]
-template <class Precision, class Executor>
-std::vector<double> ExplicitSolver<Precision, Executor>::touchOf(std::size_t pass)
+template <class Numbers, class Executor>
+std::vector<double> ExplicitSolver<Numbers, Executor>::touchOf(std::size_t pass)
 {
-    using Faces = TouchSums<FaceTouch<Precision>>;
-    using Surface = TouchSums<SurfaceTouch<Precision>>;
-    const Index count = Index(state_.pairs[pass].contactor.size()),
+    using Faces = TouchSums<FaceTouch<Numbers>>;
+    using Surface = TouchSums<SurfaceTouch<Numbers>>;
+    const Index count = Index(state_.passes[pass].contactor.size()),
                 blocks = NodeBlocks::blocks(count);
     Array<double, Executor> out(std::size_t(blocks) * touchValues);
-    if (data_.pairs[pass].surface >= 0)
+    if (data_.passes[pass].surface >= 0)
         executor_.parallelBlocks(blocks, Surface::scratch(),
                                  Surface{count, {surfaceForce(pass)}, out.data()});
     else
         executor_.parallelBlocks(blocks, Faces::scratch(),
-                                 Faces{count, {pairView(pass)}, out.data()});
+                                 Faces{count, {passView(pass)}, out.data()});
     executor_.synchronize();
     return out.toHost();
 }
 
-template <class Precision, class Executor>
-PairTouch ExplicitSolver<Precision, Executor>::pairTouch(std::size_t number)
+template <class Numbers, class Executor>
+PairTouch ExplicitSolver<Numbers, Executor>::pairTouch(std::size_t number)
 {
     executor_.synchronize();
     PairTouch out;
     double weight = 0;
-    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
-        if (data_.pairs[pass].pair != number) continue;
-        const double sign = data_.pairs[pass].reversed ? -1 : 1;
+    for (std::size_t pass = 0; pass < data_.passes.size(); ++pass) {
+        if (data_.passes[pass].pair != number) continue;
+        const double sign = data_.passes[pass].reversed ? -1 : 1;
         const std::vector<double> blocks = touchOf(pass);
         for (const double* of = blocks.data(); of < blocks.data() + blocks.size();
              of += touchValues) {
@@ -200,7 +200,7 @@ PairTouch ExplicitSolver<Precision, Executor>::pairTouch(std::size_t number)
             if (!(of[touchDeepest] > out.maxDepth)) continue;
             out.maxDepth = of[touchDeepest];
             out.thickness = of[touchThickness];
-            out.deepest = data_.pairs[pass].contactor[std::size_t(of[touchContactor])];
+            out.deepest = data_.passes[pass].contactor[std::size_t(of[touchContactor])];
         }
     }
     const double share = weight > 0 ? 1 / weight : 0;
@@ -211,27 +211,27 @@ PairTouch ExplicitSolver<Precision, Executor>::pairTouch(std::size_t number)
 }
 
 /// [contactor]
-template <class Precision, class Executor>
-std::vector<double> ExplicitSolver<Precision, Executor>::gapsOf(std::size_t pass)
+template <class Numbers, class Executor>
+std::vector<double> ExplicitSolver<Numbers, Executor>::gapsOf(std::size_t pass)
 {
-    const Index count = Index(state_.pairs[pass].contactor.size());
+    const Index count = Index(state_.passes[pass].contactor.size());
     Array<double, Executor> out{std::size_t(count)};
-    if (data_.pairs[pass].surface >= 0)
-        executor_.parallelFor(count, SurfaceGap<Precision>{surfaceForce(pass), out.data()});
+    if (data_.passes[pass].surface >= 0)
+        executor_.parallelFor(count, SurfaceGap<Numbers>{surfaceForce(pass), out.data()});
     else
-        executor_.parallelFor(count, FaceGap<Precision>{pairView(pass), out.data()});
+        executor_.parallelFor(count, FaceGap<Numbers>{passView(pass), out.data()});
     executor_.synchronize();
     return out.toHost();
 }
 
-template <class Precision, class Executor>
-std::vector<double> ExplicitSolver<Precision, Executor>::contactGaps()
+template <class Numbers, class Executor>
+std::vector<double> ExplicitSolver<Numbers, Executor>::contactGaps()
 {
     executor_.synchronize();
     std::vector<double> least(std::size_t(data_.nodeCount), noGap);
-    for (std::size_t pass = 0; pass < data_.pairs.size(); ++pass) {
+    for (std::size_t pass = 0; pass < data_.passes.size(); ++pass) {
         const std::vector<double> gaps = gapsOf(pass);
-        const std::vector<Index> nodes = state_.pairs[pass].contactor.toHost();
+        const std::vector<Index> nodes = state_.passes[pass].contactor.toHost();
         for (std::size_t i = 0; i < gaps.size(); ++i) {
             double& of = least[std::size_t(nodes[i])];
             if (gaps[i] < of || std::isnan(of)) of = gaps[i];
@@ -240,8 +240,8 @@ std::vector<double> ExplicitSolver<Precision, Executor>::contactGaps()
     return least;
 }
 
-template <class Precision, class Executor>
-ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
+template <class Numbers, class Executor>
+ContactBound ExplicitSolver<Numbers, Executor>::contactLimit()
 {
     executor_.synchronize();
     ContactBound out;
@@ -266,21 +266,21 @@ ContactBound ExplicitSolver<Precision, Executor>::contactLimit()
     return out;
 }
 
-template <class Precision, class Executor>
-NodeValues ExplicitSolver<Precision, Executor>::nodeValues(const std::vector<Index>& nodes)
+template <class Numbers, class Executor>
+NodeValues ExplicitSolver<Numbers, Executor>::nodeValues(const std::vector<Index>& nodes)
 {
     const std::size_t count = nodes.empty() ? std::size_t(data_.nodeCount) : nodes.size();
     const Array<Index, Executor> list(nodes);
     Array<double, Executor> out(sampleValues * count);
-    executor_.parallelFor(
-        Index(count), NodeSample<Precision>{nodePass(), list.data(), out.data(), Index(count),
-                                            state_.body.bodyOf.data(), state_.body.bodies.data()});
+    executor_.parallelFor(Index(count), NodeSample<Numbers>{nodeMotion(), list.data(), out.data(),
+                                                            Index(count), state_.body.bodyOf.data(),
+                                                            state_.body.bodies.data()});
     executor_.synchronize();
     return {out.toHost(), count};
 }
 
-template <class Precision, class Executor>
-ElementValues ExplicitSolver<Precision, Executor>::elementValues()
+template <class Numbers, class Executor>
+ElementValues ExplicitSolver<Numbers, Executor>::elementValues()
 {
     executor_.synchronize();
     const auto state = state_.state.toHost();
@@ -316,8 +316,8 @@ ElementValues ExplicitSolver<Precision, Executor>::elementValues()
     return out;
 }
 
-template <class Precision, class Executor>
-StateValues ExplicitSolver<Precision, Executor>::elementState()
+template <class Numbers, class Executor>
+StateValues ExplicitSolver<Numbers, Executor>::elementState()
 {
     executor_.synchronize();
     const auto state = state_.state.toHost();
@@ -325,8 +325,8 @@ StateValues ExplicitSolver<Precision, Executor>::elementState()
     return {{state.begin(), state.end()}, {strains.begin(), strains.end()}};
 }
 
-template <class Precision, class Executor>
-std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
+template <class Numbers, class Executor>
+std::uint64_t ExplicitSolver<Numbers, Executor>::stateChecksum()
 {
     executor_.synchronize();
     std::uint64_t hash = hashStart;
@@ -345,7 +345,7 @@ std::uint64_t ExplicitSolver<Precision, Executor>::stateChecksum()
         for (std::size_t k = 0; k < std::size_t(layout.sums()); ++k)
             hash = hashed(hash, strain[place.strains + k * std::size_t(tileWidth)]);
     }
-    for (const auto& pair : state_.pairs)
+    for (const auto& pair : state_.passes)
         for (const auto f : pair.friction.toHost()) hash = hashed(hash, f);
     return hash;
 }

@@ -21,7 +21,7 @@ std::string hourglassWord(HourglassForm form)
     return "physical";
 }
 
-/// Material, integration and hourglass control, as ExplicitSolver::elementPasses chooses them.
+/// Material, integration and hourglass control, as ExplicitSolver::launchElements chooses them.
 std::string elementKernel(const KernelGroup& group)
 {
     if (group.hexahedron == HexahedronForm::selective)
@@ -57,7 +57,7 @@ std::string elementLine(const KernelGroup& group, const SolverData& data, const 
                   floats.empty() ? floats : "; hourglass forces as float:" + floats);
 }
 
-std::string pairLine(const PairData& pass, const ContactPair& pair, const Model& model)
+std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, const Model& model)
 {
     std::string does;
     const auto add = [&](bool acts, const std::string& what) {
@@ -89,7 +89,7 @@ std::vector<std::string> kernelLines(const SolverData& data, const Model& model)
     for (const Part& part : model.parts)
         if (isRigid(part.kind)) rigid += " " + part.name;
     if (!rigid.empty()) lines.push_back("no element work:" + rigid + ", rigid");
-    for (const PairData& pass : data.pairs)
+    for (const ContactPassSetup& pass : data.passes)
         lines.push_back(pairLine(pass, model.contactPairs[pass.pair], model));
     return lines;
 }

@@ -2,7 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "kernels/element/StateLayout.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "solver/NearBlocks.h"
 
+#include "kernels/contact/ListCheck.h"
 #include "kernels/contact/Search.h"
-#include "kernels/contact/SearchPlan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ std::vector<Index> sortedOnce(std::vector<Index> values)
 /// Blocks of contact nodes that some of them lie in.
 std::vector<Index> blocksOf(std::vector<Index> numbers)
 {
-    for (Index& number : numbers) number /= travelBlock;
+    for (Index& number : numbers) number /= displacementBlock;
     return sortedOnce(std::move(numbers));
 }
 
@@ -67,8 +67,8 @@ struct Box {
 
 NearBlocks::NearBlocks(const SolverData& data)
 {
-    for (std::size_t number = 0; number < data.pairs.size(); ++number) {
-        const PairData& pair = data.pairs[number];
+    for (std::size_t number = 0; number < data.passes.size(); ++number) {
+        const ContactPassSetup& pair = data.passes[number];
         if (pair.surface >= 0) continue;
         Pass pass;
         pass.number = number;
@@ -104,9 +104,9 @@ void NearBlocks::arrange(std::size_t place, const Positions& positions)
     // A contactor pushes the corners of a face within reach, or deeper than which it is let go.
     // Since, it may have moved, and the corners both moved and moved apart.
     const double distance = longestDiagonal(pass.faces, positions) + pass.thickness
-                            + 3 * SearchPlan::nearness * pass.reach;
+                            + 3 * ListCheck::rebuildDistance * pass.reach;
     std::map<Index, Box> targets; // by blocks of contact nodes
-    for (const Index node : pass.target) targets[node / travelBlock].add(positions, node);
+    for (const Index node : pass.target) targets[node / displacementBlock].add(positions, node);
     pass.near = {};
     for (std::size_t first = 0; first < pass.contactor.size(); first += NodeBlocks::size) {
         Box box;

@@ -5,7 +5,7 @@
 namespace fpm {
 
 /// Which contact nodes are near which, by blocks: what a look at contact has to compare
-/// (SearchPlan). Of every pass that searches faces; made by the host whenever a pass is searched as
+/// (ListCheck). Of every pass that searches faces; made by the host whenever a pass is searched as
 /// a whole.
 class NearBlocks
 {

@@ -30,7 +30,7 @@ double massOf(const SolverData& data, Index node)
 }
 
 /// Mass of the lightest corner of a face that can be moved; 0: none can.
-double faceMass(const SolverData& data, const PairData& pair, std::size_t face)
+double faceMass(const SolverData& data, const ContactPassSetup& pair, std::size_t face)
 {
     double least = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -79,7 +79,7 @@ std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>
 
 } // namespace
 
-void addPenalty(PairData& out,
+void addPenalty(ContactPassSetup& out,
                 const SolverData& data,
                 const Model& model,
                 const ContactPair& pair,
@@ -109,7 +109,7 @@ void addPenalty(PairData& out,
         out.contactorStiffness.push_back(scale * stiffness);
 }
 
-double largestStiffness(const PairData& pair)
+double largestStiffness(const ContactPassSetup& pair)
 {
     double most = 0;
     for (const double k : pair.faceStiffness) most = std::max(most, k);
@@ -149,12 +149,12 @@ SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& ampl
     return out;
 }
 
-PairData makeSurfacePair(const SolverData& data,
-                         const Model& model,
-                         const ContactPair& pair,
-                         const std::vector<ElementSide>& own)
+ContactPassSetup makeSurfacePair(const SolverData& data,
+                                 const Model& model,
+                                 const ContactPair& pair,
+                                 const std::vector<ElementSide>& own)
 {
-    PairData out;
+    ContactPassSetup out;
     out.law = pair;
     out.surface = pair.surface;
     out.contactor = pair.contactorNodes;

@@ -6,7 +6,7 @@ namespace fpm {
 
 /// Stiffnesses and masses of a pair whose contactor and faces are known. A rigid side has stiffness
 /// 0, so that the other side's counts; `own`: sides of the contactor's surface.
-void addPenalty(PairData& out,
+void addPenalty(ContactPassSetup& out,
                 const SolverData& data,
                 const Model& model,
                 const ContactPair& pair,
@@ -15,7 +15,7 @@ void addPenalty(PairData& out,
                 double share);
 
 /// Largest stiffness a spring of the pair can have.
-double largestStiffness(const PairData& pair);
+double largestStiffness(const ContactPassSetup& pair);
 
 /// Share of a damped spring in the step bound: lagged damping zeta shortens the stable step to
 /// (sqrt(1 + zeta^2) - zeta) 2 / omega.
@@ -27,9 +27,9 @@ Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplit
 SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows);
 
 /// A pair against an analytic surface.
-PairData makeSurfacePair(const SolverData& data,
-                         const Model& model,
-                         const ContactPair& pair,
-                         const std::vector<ElementSide>& own);
+ContactPassSetup makeSurfacePair(const SolverData& data,
+                                 const Model& model,
+                                 const ContactPair& pair,
+                                 const std::vector<ElementSide>& own);
 
 } // namespace fpm

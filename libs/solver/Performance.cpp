@@ -40,7 +40,7 @@ std::string pairsOf(const SolverData& data, const Model& model, Index node)
     std::string names;
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const bool here =
-            std::any_of(data.pairs.begin(), data.pairs.end(), [&](const PairData& pass) {
+            std::any_of(data.passes.begin(), data.passes.end(), [&](const ContactPassSetup& pass) {
                 const auto among = [&](const std::vector<Index>& nodes) {
                     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
                 };
@@ -55,7 +55,7 @@ std::string pairsOf(const SolverData& data, const Model& model, Index node)
 double largestStiffnessOf(const SolverData& data, std::size_t pair)
 {
     double most = 0;
-    for (const PairData& pass : data.pairs)
+    for (const ContactPassSetup& pass : data.passes)
         if (pass.pair == pair) most = std::max(most, largestStiffness(pass));
     return most;
 }
@@ -191,8 +191,8 @@ std::string performanceText(Solver& solver,
     const double steps = double(clock.steps), elements = double(model.mesh.hexahedra.size()),
                  touching = double(contactors(model)), contact = t.contact + t.search;
     const bool known = t.element > 0;
-    const auto over = [](double part, double whole, bool told, int digits) {
-        return told && whole > 0 ? toText(part / whole, digits) : std::string("null");
+    const auto over = [](double part, double whole, bool given, int digits) {
+        return given && whole > 0 ? toText(part / whole, digits) : std::string("null");
     };
     return format("{\n  \"runId\": \"{}\",\n", runId)
            + format("  \"elements\": {}, \"nodes\": {}, \"contactors\": {}, \"steps\": {},\n",

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "kernels/contact/ListCheck.h"
 #include "kernels/contact/Search.h"
-#include "kernels/contact/SearchPlan.h"
 #include "parallel/Array.h"
 #include "solver/NearBlocks.h"
 
@@ -13,7 +13,7 @@ struct SearchState {
     std::size_t number; ///< among all passes
     double reach;
     Array<Index, Executor> ownStart, own, nearStart, near, allOwn, allTarget, list;
-    Array<BlockSearch, Executor> blocks;
+    Array<BlockListState, Executor> blocks;
 
     explicit SearchState(const NearBlocks::Pass& pass)
         : number(pass.number),
@@ -32,7 +32,7 @@ struct SearchState {
     bool arrange(const NearBlocks::Pass& pass)
     {
         nearStart.fromHost(pass.near.starts);
-        blocks.fromHost(std::vector<BlockSearch>(blocks.size()));
+        blocks.fromHost(std::vector<BlockListState>(blocks.size()));
         std::vector<Index> lists = pass.near.blocks;
         const bool grows = lists.size() > near.size();
         if (grows) near = Array<Index, Executor>(lists.size() + lists.size() / 2);
@@ -41,12 +41,12 @@ struct SearchState {
         return grows;
     }
 
-    /// `travel`: see ContactTravel; `horizon`: steps until the next look.
-    SearchPlan plan(const double* travel,
-                    PassSearch* pass,
+    /// `displacements`: see ReferenceDisplacement; `checkInterval`: steps until the next look.
+    ListCheck check(const double* displacements,
+                    PassListState* pass,
                     std::int64_t* late,
                     const StepRules& rules,
-                    Index horizon,
+                    Index checkInterval,
                     StepClock* clock)
     {
         return {reach,
@@ -59,14 +59,14 @@ struct SearchState {
                 Index(allTarget.size()),
                 allOwn.data(),
                 allTarget.data(),
-                travel,
+                displacements,
                 blocks.data(),
                 pass,
                 list.data(),
                 late,
                 rules.growth,
                 rules.fixedStep,
-                horizon,
+                checkInterval,
                 clock};
     }
 
@@ -81,16 +81,16 @@ struct SearchState {
 
 /// Judges all passes (plans[k] has passes + k) and tells the clock.
 template <class Executor>
-void planSearches(Executor& executor,
-                  const std::vector<SearchPlan>& plans,
-                  PassSearch* passes,
-                  StepClock* clock)
+void checkLists(Executor& executor,
+                const std::vector<ListCheck>& checks,
+                PassListState* passes,
+                StepClock* clock)
 {
-    for (const SearchPlan& plan : plans) {
-        executor.parallelFor(plan.blockCount, JudgeBlocks{plan});
-        executor.parallelBlocks(1, PlanPass::scratch(), PlanPass{plan});
+    for (const ListCheck& check : checks) {
+        executor.parallelFor(check.blockCount, BlockListCheck{check});
+        executor.parallelBlocks(1, PassListCheck::scratch(), PassListCheck{check});
     }
-    executor.parallelFor(1, PlanClock{passes, Index(plans.size()), clock});
+    executor.parallelFor(1, ListCheckResult{passes, Index(checks.size()), clock});
 }
 
 } // namespace fpm

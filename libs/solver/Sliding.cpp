@@ -33,7 +33,7 @@ void Sliding::sample(double time, const PairTouch& touch, const ContactPair& pai
     window_.path += speed * step;
     window_.duration += step;
     window_.asked += coefficient(pair, speed) * touch.normal * step;
-    window_.way = vector::sum(window_.way, vector::scaled(touch.slip, step));
+    window_.slip = vector::sum(window_.slip, vector::scaled(touch.slip, step));
     window_.impulse = vector::sum(window_.impulse, vector::scaled(touch.friction, step));
     const double elasticSlip =
         pair.friction * touch.meanDepth * pair.normalScale / pair.tangentialScale;
@@ -42,11 +42,11 @@ void Sliding::sample(double time, const PairTouch& touch, const ContactPair& pai
 
 void Sliding::close()
 {
-    const double way = vector::length(window_.way);
-    if (way > oneWay * window_.path) {
+    const double slip = vector::length(window_.slip);
+    if (slip > straightShare * window_.path) {
         ++windows_;
         asked_ += window_.asked;
-        const double delivered = -vector::dot(window_.impulse, window_.way) / way;
+        const double delivered = -vector::dot(window_.impulse, window_.slip) / slip;
         delivered_ += delivered;
         if (window_.asked > 0 && delivered / window_.asked < worst_) {
             worst_ = delivered / window_.asked;

@@ -20,14 +20,14 @@ public:
 private:
     struct Window {
         double path = 0, duration = 0, asked = 0;
-        Point way{0, 0, 0}, impulse{0, 0, 0};
+        Point slip{0, 0, 0}, impulse{0, 0, 0};
     };
     void close();
 
     static constexpr int fewestWindows = 5;
-    static constexpr double manySprings = 20; ///< path of a window in elastic slips
-    static constexpr double oneWay = 0.9;     ///< way over path
-    static constexpr double together = 0.7;   ///< mean slip over mean of its lengths
+    static constexpr double manySprings = 20;    ///< path of a window in elastic slips
+    static constexpr double straightShare = 0.9; ///< way over path
+    static constexpr double together = 0.7;      ///< mean slip over mean of its lengths
 
     Window window_;
     double lastTime_ = -1;

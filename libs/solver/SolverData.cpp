@@ -248,7 +248,7 @@ void addRelaxation(SolverData& data, const Model& model)
     for (const Condition& condition : data.conditions) wait(condition);
     for (const SurfaceShape& surface : data.surfaces)
         if (surface.moves) wait(surface.motion);
-    for (const PairData& pair : data.pairs) held = std::max(held, pair.fadeTime);
+    for (const ContactPassSetup& pair : data.passes) held = std::max(held, pair.fadeTime);
 }
 
 } // namespace

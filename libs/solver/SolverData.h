@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/contact/RigidSurface.h"
-#include "kernels/element/ElementPass.h"
+#include "kernels/element/ElementForces.h"
 #include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/Relaxation.h"
 #include "mesh/Patches.h"
@@ -19,7 +19,7 @@ struct KernelGroup {
 };
 
 /// One pass of a contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
-struct PairData {
+struct ContactPassSetup {
     std::size_t pair = 0;  ///< number in the model
     bool reversed = false; ///< second pass: the target's nodes are the contactors
     ContactSearch search = ContactSearch::faces;
@@ -78,10 +78,11 @@ struct SolverData {
     std::vector<PatchHeader> patches;
     std::vector<KernelGroup> groups;
     std::vector<MaterialConstants<double>> materials;
-    std::vector<StateLayout> layouts;                              ///< of each part
-    std::size_t stateSize = 0, strainCount = 0;                    ///< of all patches together
-    std::vector<std::uint16_t> corners, cornerStarts, slotCorners; ///< see PatchTables, ElementPass
-    std::vector<Index> boundaryNodes;                              ///< node of each partial sum
+    std::vector<StateLayout> layouts;           ///< of each part
+    std::size_t stateSize = 0, strainCount = 0; ///< of all patches together
+    std::vector<std::uint16_t> corners, cornerStarts,
+        slotCorners;                                  ///< see PatchTables, ElementForces
+    std::vector<Index> boundaryNodes;                 ///< node of each partial sum
     Index firstBoundaryNode = 0;                      ///< nodes before it are interior to a patch,
     Index interiorEnd = 0;                            ///< from here on none is
     std::vector<Index> partialSumsStart, partialSums; ///< of nodes from firstBoundaryNode on: CSR;
@@ -95,12 +96,12 @@ struct SolverData {
     std::vector<Point> velocity;       ///< initial
     std::vector<std::uint8_t> fixed;   ///< see InteriorNodes
     bool sharesNodes = false;          ///< patches move their interior nodes themselves, and
-    std::vector<Index> listedNodes;    ///< NodePass only these
+    std::vector<Index> listedNodes;    ///< NodeMotion only these
     std::vector<Index> conditionStart; ///< uses of each node: CSR; empty without conditions
     std::vector<ConditionUse> uses;
     std::vector<Condition> conditions;
     std::vector<double> amplitudeRows;
-    std::vector<Index> frameOf; ///< see NodePass
+    std::vector<Index> frameOf; ///< see NodeMotion
     std::vector<double> frames;
     std::vector<Index> pressureFaceNode, pressureFaceElement, pressureStart, pressureSlots;
     std::vector<Index> pressureFaceCondition; ///< -1: the element is deleted
@@ -108,7 +109,7 @@ struct SolverData {
     bool rigidParts = false;
     bool erodes = false, heats = false; ///< some part does
 
-    std::vector<PairData> pairs;
+    std::vector<ContactPassSetup> passes;
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
     std::vector<Index> contactNodes;    ///< node of each contact node
     std::vector<Index> contactNumber;   ///< of each node, -1; empty without contact
@@ -156,7 +157,7 @@ Condition makeCondition(ConditionKind kind,
 Condition conditionOf(const BoundaryCondition& condition, std::vector<double>& amplitudeRows);
 /// Completes a pass from its faces, their thickness and contactors: neighbours, faces around nodes,
 /// reach and cells.
-void addTopology(PairData& pair, const std::vector<Point>& points);
+void addTopology(ContactPassSetup& pair, const std::vector<Point>& points);
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
 /// Energy below which the balance of a run is no error but rounding.

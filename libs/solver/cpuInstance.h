@@ -6,18 +6,18 @@
 
 namespace fpm {
 
-template <class Precision, int Bits>
+template <class Numbers, int Bits>
 std::unique_ptr<Solver> makeCpu(const Model& model, int threads, bool audit, const char* simd)
 {
     const std::string description =
         model.control.backend + (followsIdleCores(model.control) ? ", up to " : ", ")
         + std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + simd + ", "
-        + Precision::name;
+        + Numbers::name;
     // Enough for the largest patch a mesh may have (2048 nodes).
     const std::size_t scratch =
-        std::max({elementScratch<typename Precision::Work>(2048), nodeScratch(), bodyScratch(),
-                  relaxationScratch(), PlanPass::scratch(), PairSums::scratch()});
-    return std::make_unique<ExplicitSolver<Precision, CpuExecutor<Bits>>>(
+        std::max({elementScratch<typename Numbers::Work>(2048), nodeScratch(), bodyScratch(),
+                  relaxationScratch(), PassListCheck::scratch(), PassSums::scratch()});
+    return std::make_unique<ExplicitSolver<Numbers, CpuExecutor<Bits>>>(
         model, CpuExecutor<Bits>(threads, scratch), description, audit);
 }
 

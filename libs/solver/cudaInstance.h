@@ -6,11 +6,11 @@
 
 namespace fpm {
 
-template <class Precision>
+template <class Numbers>
 std::unique_ptr<Solver> makeCuda(const Model& model, bool audit)
 {
-    return std::make_unique<ExplicitSolver<Precision, CudaExecutor>>(
-        model, CudaExecutor(1, 0), "cuda, " + cudaDeviceName() + ", " + Precision::name, audit);
+    return std::make_unique<ExplicitSolver<Numbers, CudaExecutor>>(
+        model, CudaExecutor(1, 0), "cuda, " + cudaDeviceName() + ", " + Numbers::name, audit);
 }
 
 std::unique_ptr<Solver> makeCudaDouble(const Model& model, bool audit);

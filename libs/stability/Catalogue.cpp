@@ -7,10 +7,10 @@
 
 namespace fpm {
 
-const char* nameOf(Way way)
+const char* nameOf(ContactVariant variant)
 {
     static constexpr std::array<const char*, 3> names{"default", "paper", "remedy"};
-    return names[std::size_t(way)];
+    return names[std::size_t(variant)];
 }
 
 const char* nameOf(Fate fate)
@@ -32,11 +32,11 @@ const std::vector<Failure>& catalogue()
     return all;
 }
 
-Verdict judge(const Failure& failure, Way way)
+Verdict judge(const Failure& failure, ContactVariant variant)
 {
-    if (failure.expected[std::size_t(way)] == Fate::none) return {};
+    if (failure.expected[std::size_t(variant)] == Fate::none) return {};
     Verdict out;
-    out.measure = failure.run(way);
+    out.measure = failure.run(variant);
     const Measure& got = out.measure;
     bool good = failure.atLeast ? got.value >= failure.limit : got.value <= failure.limit;
     if (!failure.words.empty()) good = got.said.find(failure.words) != std::string::npos;
@@ -49,14 +49,14 @@ Verdict judge(const Failure& failure, Way way)
     return out;
 }
 
-bool isExpected(const Failure& failure, Way way, Fate fate)
+bool isExpected(const Failure& failure, ContactVariant variant, Fate fate)
 {
-    return failure.expected[std::size_t(way)] == fate;
+    return failure.expected[std::size_t(variant)] == fate;
 }
 
-Model inWay(Model model, Way way)
+Model asVariant(Model model, ContactVariant variant)
 {
-    if (way == Way::paper) takePaperForms(model);
+    if (variant == ContactVariant::paper) takePaperForms(model);
     return model;
 }
 

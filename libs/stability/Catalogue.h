@@ -11,9 +11,10 @@ namespace fpm {
 
 /// How contact is computed in a scene of the catalogue: as a case has it by default, by
 /// `algorithm paper`, or by default with the remedy that the entry names.
-enum class Way { standard, paper, remedy };
-inline constexpr std::array<Way, 3> allWays{Way::standard, Way::paper, Way::remedy};
-const char* nameOf(Way way);
+enum class ContactVariant { standard, paper, remedy };
+inline constexpr std::array<ContactVariant, 3> allVariants{
+    ContactVariant::standard, ContactVariant::paper, ContactVariant::remedy};
+const char* nameOf(ContactVariant variant);
 
 /// What becomes of contact there. `refused`, `warned`: at set-up, in the words that the entry has;
 /// `none`: the way does not exist.
@@ -40,7 +41,7 @@ struct Failure {
     std::array<Fate, 3> expected{Fate::holds, Fate::holds, Fate::none}; ///< by Way
     std::string remedy{}; ///< what the default does about it, or what to choose
     std::string note{};   ///< why a way loses, or holds though it was said to lose
-    std::function<Measure(Way)> run{};
+    std::function<Measure(ContactVariant)> run{};
 };
 
 /// All entries by number. Scenes of a few hundred elements, none longer than about a second.
@@ -51,11 +52,11 @@ struct Verdict {
     Measure measure;
     Fate fate = Fate::none;
 };
-Verdict judge(const Failure& failure, Way way);
+Verdict judge(const Failure& failure, ContactVariant variant);
 /// True where the entry says so.
-bool isExpected(const Failure& failure, Way way, Fate fate);
+bool isExpected(const Failure& failure, ContactVariant variant, Fate fate);
 
 /// The model as it is, or with the forms of the paper.
-Model inWay(Model model, Way way);
+Model asVariant(Model model, ContactVariant variant);
 
 } // namespace fpm

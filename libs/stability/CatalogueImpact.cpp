@@ -19,7 +19,7 @@ double waveSpeed(const Part& part)
 
 /// Whether a rigid brick led down into a block at `speed` times the speed of its waves has all of
 /// its four nodes in contact before it has gone through, from `start` above it.
-bool isCaught(double speed, double start, Way way)
+bool isCaught(double speed, double start, ContactVariant variant)
 {
     Model model;
     addBox(model.mesh, "block", {3, 3, 3}, {-1, -1, -3}, {3, 3, 3});
@@ -35,7 +35,7 @@ bool isCaught(double speed, double start, Way way)
     holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -2.99; }));
     addContact(model, "touch", facing(model.mesh, "brick", {0, 0, -1}),
                facing(model.mesh, "block", {0, 0, 1}));
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     while (solver->clock().time * fall < start + 1.5 && !solver->clock().failed) {
         solver->advance(1, 1);
         if (solver->pairForce(0).active == 4) return true;
@@ -44,18 +44,18 @@ bool isCaught(double speed, double start, Way way)
 }
 
 /// F8: the first speed at which nodes pass, over that of waves.
-Measure fastBrick(Way way)
+Measure fastBrick(ContactVariant variant)
 {
     constexpr double fastest = 2;
     for (double speed = 0.1; speed < fastest; speed += 0.1)
         for (double start = 0.3; start < 0.9; start += 0.07)
-            if (!isCaught(speed, start, way)) return {speed, {}};
+            if (!isCaught(speed, start, variant)) return {speed, {}};
     return {fastest, {}};
 }
 
 /// F9: layers a tenth as thick as an element is wide, struck by a block at 200 m/s. Deepest mean
 /// overlap of two neighbours over the thickness; 2 where a node was let go or the run failed.
-Measure thinLayers(Way way)
+Measure thinLayers(ContactVariant variant)
 {
     constexpr double thickness = 0.05;
     Model model;
@@ -72,7 +72,7 @@ Measure thinLayers(Way way)
     for (std::size_t i = 1; i < order.size(); ++i)
         addContact(model, order[i], facing(model.mesh, order[i], {0, 0, -1}),
                    facing(model.mesh, order[i - 1], {0, 0, 1}));
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     double deepest = 0;
     while (solver->clock().time < 4e-6 && !solver->clock().failed) {
         solver->advance(4e-6, 50);
@@ -88,7 +88,7 @@ Measure thinLayers(Way way)
 
 /// F14: a cube thrown along the diagonal into the corner of three loose walls. The least of what
 /// comes back along an axis over what went in, 0 where the balance is off by 1 %.
-Measure cornerOfWalls(Way way)
+Measure cornerOfWalls(ContactVariant variant)
 {
     Model model;
     addBox(model.mesh, "floor", {3, 3, 1}, {0, 0, -1}, {3, 3, 1});
@@ -110,7 +110,7 @@ Measure cornerOfWalls(Way way)
         addContact(model, walls[axis], facing(model.mesh, "cube", out),
                    facing(model.mesh, walls[axis], in));
     }
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     const std::vector<Index> cube = nodesOfPart(model.mesh, "cube");
     const double before = momentum(*solver, cube)[0];
     solver->advance(3e-6, 100000);
@@ -122,7 +122,7 @@ Measure cornerOfWalls(Way way)
 /// F17: two bars meet end to end at 0.6 of the step of their elements, springs ever harder. First
 /// penalty scale at which the run diverges, over the largest that the bound of elements and
 /// springs allows.
-Measure penaltySweep(Way way)
+Measure penaltySweep(ContactVariant variant)
 {
     constexpr double step = 0.6;
     const auto trialAt = [&](double penalty, Setting& setting) {
@@ -130,7 +130,7 @@ Measure penaltySweep(Way way)
         setting.set(parameter::timeStep, step);
         Trial trial = probeScenes().front().make(setting);
         applyCommon(trial.model, setting);
-        trial.model = inWay(trial.model, way);
+        trial.model = asVariant(trial.model, variant);
         return trial;
     };
     double low = 1e-3, high = 1e3;
@@ -171,7 +171,7 @@ Measure momentumChange(const Model& model, const std::function<Point(Solver&)>& 
     const auto solver = startedSolver(model);
     const Point before = momentumOf(*solver);
     double worst = 0, strongest = 0;
-    for (int look = 0; look < 50; ++look) {
+    for (int sample = 0; sample < 50; ++sample) {
         solver->advance(1, 5);
         const Point after = momentumOf(*solver);
         worst = std::max(
@@ -182,9 +182,9 @@ Measure momentumChange(const Model& model, const std::function<Point(Solver&)>& 
 }
 
 /// F27: the same impact on one thread and on three; number of states that differ.
-Measure repeatedRun(Way way)
+Measure repeatedRun(ContactVariant variant)
 {
-    Model model = inWay(freeBlocks(0.3), way);
+    Model model = asVariant(freeBlocks(0.3), variant);
     std::vector<std::uint64_t> sums;
     for (const int threads : {1, 3, 3}) {
         model.control.backend = "openmp";
@@ -251,8 +251,8 @@ std::vector<Failure> impactFailures()
          .reason = "conservation",
          .remedy = "the contactor's force is minus the exact sum of its face's",
          .run =
-             [](Way way) {
-                 return momentumChange(inWay(freeBlocks(0.3), way),
+             [](ContactVariant variant) {
+                 return momentumChange(asVariant(freeBlocks(0.3), variant),
                                        [](Solver& solver) { return momentum(solver); });
              }},
         {.number = 22,
@@ -266,7 +266,9 @@ std::vector<Failure> impactFailures()
              "the force acts along the line to its foot; a couple on the face balances friction",
          .note = "eqs. 17-18 as printed leave the moment friction times gap",
          .run =
-             [](Way way) { return momentumChange(inWay(freeBlocks(0.3), way), angularMomentum); }},
+             [](ContactVariant variant) {
+                 return momentumChange(asVariant(freeBlocks(0.3), variant), angularMomentum);
+             }},
         {.number = 27,
          .name = "repeatedRun",
          .fails = "Sums in the order of threads give every run other numbers.",

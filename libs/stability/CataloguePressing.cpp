@@ -22,7 +22,7 @@ void bend(Model& model, double radius)
 
 /// F11: a round rod at rest in a round groove of the same radius, their facets unlike: the chords
 /// overlap by some ten thousandths of it. Largest speed after a while [mm/s].
-Measure roundOverlap(Way way)
+Measure roundOverlap(ContactVariant variant)
 {
     const double radius = 5;
     Model model;
@@ -41,8 +41,8 @@ Measure roundOverlap(Way way)
         return sides;
     };
     addContact(model, "touch", onArc("rod"), onArc("die")).initialOverlap =
-        way == Way::paper ? InitialOverlap::report : InitialOverlap::offset;
-    const auto solver = startedSolver(inWay(model, way));
+        variant == ContactVariant::paper ? InitialOverlap::report : InitialOverlap::offset;
+    const auto solver = startedSolver(asVariant(model, variant));
     if (solver->initialOverlap(0).count == 0) return {HUGE_VAL, {}};
     solver->advance(3e-6, 100000);
     double fastest = 0;
@@ -52,7 +52,7 @@ Measure roundOverlap(Way way)
 
 /// F12: a coarse block of one face pressed on a fine one. How deep the worst node of the fine one
 /// is, over the depth that the pressure has in the springs, were it the same everywhere.
-Measure coarseContactor(Way way)
+Measure coarseContactor(ContactVariant variant)
 {
     const double load = 2000, width = 2.5;
     Model model;
@@ -67,9 +67,9 @@ Measure coarseContactor(Way way)
                   {0, 0, -load}, {Amplitude::Kind::smooth, {{0, 0}, {1e-5, 1}}}));
     addContact(model, "touch", facing(model.mesh, "coarse", {0, 0, -1}),
                facing(model.mesh, "fine", {0, 0, 1}))
-        .passes = way == Way::remedy ? 2 : 1;
+        .passes = variant == ContactVariant::remedy ? 2 : 1;
     model.control.massDamping = 1e6;
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     solver->advance(4e-5, 1000000);
     const NodeValues values = solver->nodeValues({});
     double lowest = HUGE_VAL, highest = -HUGE_VAL;
@@ -85,7 +85,7 @@ Measure coarseContactor(Way way)
 
 /// F13: n x n on 5 x 5 faces under a top that moves down, nu = 0. Largest deviation of the axial
 /// stress from its mean.
-Measure pressedPatch(Index faces, double scale, Way way)
+Measure pressedPatch(Index faces, double scale, ContactVariant variant)
 {
     const double depth = 0.005, end = 1e-4;
     Model model;
@@ -103,7 +103,7 @@ Measure pressedPatch(Index faces, double scale, Way way)
                facing(model.mesh, "lower", {0, 0, 1}))
         .normalScale = scale;
     model.control.massDamping = 5e5;
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     solver->advance(end, 1000000);
     const std::vector<double> stress = solver->elementValues().stress;
     double mean = 0, worst = 0;
@@ -116,7 +116,7 @@ Measure pressedPatch(Index faces, double scale, Way way)
 
 /// F16: loose layers of 1 x 1 x 0.5 under a load, nu = 0. The worst error of the shortening against
 /// layers and springs in series, of 1, 2, 5 and 10 layers.
-Measure layerStack(Way way)
+Measure layerStack(ContactVariant variant)
 {
     const double load = 100, scale = 0.1;
     double worst = 0;
@@ -139,7 +139,7 @@ Measure layerStack(Way way)
             condition(BoundaryCondition::Kind::force, "load", top, {false, false, true},
                       {0, 0, -load}, {Amplitude::Kind::smooth, {{0, 0}, {2e-5, 1}}}));
         model.control.massDamping = 4e5;
-        const auto solver = startedSolver(inWay(model, way));
+        const auto solver = startedSolver(asVariant(model, variant));
         solver->advance(2.5e-4, 1000000);
         const NodeValues values = solver->nodeValues(top);
         double shorter = 0;
@@ -155,7 +155,7 @@ Measure layerStack(Way way)
 
 /// F18: two blocks of unlike meshes pressed together slowly. Root mean square of force over travel
 /// about its value at rest, from a tenth of the way on.
-Measure slowPressing(Way way)
+Measure slowPressing(ContactVariant variant)
 {
     const double end = 4e-4, depth = 0.01;
     Model model;
@@ -170,7 +170,7 @@ Measure slowPressing(Way way)
                   {0, 0, -depth}, {Amplitude::Kind::smooth, {{0, 0}, {end, 1}}}));
     addContact(model, "touch", facing(model.mesh, "upper", {0, 0, -1}),
                facing(model.mesh, "lower", {0, 0, 1}));
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     const Amplitude amplitude = model.boundaryConditions.back().amplitude;
     std::vector<double> ratios;
     while (solver->clock().time < end) {
@@ -217,7 +217,10 @@ std::vector<Failure> pressingFailures()
          .expected = {Fate::loses, Fate::loses, Fate::holds},
          .remedy = "matching meshes",
          .note = "a property of node-to-face contact, here of 7 x 7 on 5 x 5 faces",
-         .run = [](Way way) { return pressedPatch(way == Way::remedy ? 5 : 7, 100, way); }},
+         .run =
+             [](ContactVariant variant) {
+                 return pressedPatch(variant == ContactVariant::remedy ? 5 : 7, 100, variant);
+             }},
         {.number = 13,
          .name = "softPatch",
          .fails = "Nodes on the rim of a body have whole springs for half and quarter areas.",
@@ -228,7 +231,10 @@ std::vector<Failure> pressingFailures()
          .remedy = "harder springs, normalScale 100",
          .note = "every contactor has the stiffness of a face, whatever its share of the area: the "
                  "softer the springs, the more the rim bears",
-         .run = [](Way way) { return pressedPatch(5, way == Way::remedy ? 100 : 1, way); }},
+         .run =
+             [](ContactVariant variant) {
+                 return pressedPatch(5, variant == ContactVariant::remedy ? 100 : 1, variant);
+             }},
         {.number = 16,
          .name = "layerStack",
          .fails = "Soft springs of many layers add up to a wrong thickness and stiffness.",

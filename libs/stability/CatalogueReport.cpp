@@ -56,12 +56,12 @@ void printRow(const CatalogueRow& row, Log& log)
     for (const Verdict& verdict : row.verdicts) line += padded(textOf(failure, verdict), 17);
     log.line(line + (row.isExpected() ? "yes" : "NO"));
     if (row.isExpected()) return;
-    for (const Way way : allWays) {
-        const Verdict& verdict = row.verdicts[std::size_t(way)];
-        if (isExpected(failure, way, verdict.fate)) continue;
+    for (const ContactVariant variant : allVariants) {
+        const Verdict& verdict = row.verdicts[std::size_t(variant)];
+        if (isExpected(failure, variant, verdict.fate)) continue;
         log.warning(format("{} {}: {} {}, expected: {} ({})", numberOf(failure), failure.name,
-                           nameOf(way), nameOf(verdict.fate),
-                           nameOf(failure.expected[std::size_t(way)]), failure.quantity));
+                           nameOf(variant), nameOf(verdict.fate),
+                           nameOf(failure.expected[std::size_t(variant)]), failure.quantity));
         if (!verdict.measure.said.empty()) log.line("  it said: " + verdict.measure.said);
     }
 }
@@ -73,9 +73,10 @@ void runRows(std::vector<CatalogueRow>& rows, int threads)
     std::mutex guard;
     std::exception_ptr error;
     const auto serve = [&] {
-        for (std::size_t i = next++; i < rows.size() * allWays.size(); i = next++) try {
-                CatalogueRow& row = rows[i / allWays.size()];
-                row.verdicts[i % allWays.size()] = judge(*row.failure, allWays[i % allWays.size()]);
+        for (std::size_t i = next++; i < rows.size() * allVariants.size(); i = next++) try {
+                CatalogueRow& row = rows[i / allVariants.size()];
+                row.verdicts[i % allVariants.size()] =
+                    judge(*row.failure, allVariants[i % allVariants.size()]);
             } catch (...) {
                 const std::lock_guard lock(guard);
                 error = std::current_exception();
@@ -98,15 +99,16 @@ std::string matrixChart(const std::vector<CatalogueRow>& rows)
                    "Failure catalogue of node-to-face contact");
     svg.text({16, 28}, "Failure catalogue of node-to-face contact",
              {17, Anchor::start, "#111827", true});
-    for (const Way way : allWays)
-        svg.text({left + (double(way) + 0.5) * width, top - 10}, nameOf(way), {13, Anchor::middle});
+    for (const ContactVariant variant : allVariants)
+        svg.text({left + (double(variant) + 0.5) * width, top - 10}, nameOf(variant),
+                 {13, Anchor::middle});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double y = top + height * double(i);
         const Failure& failure = *rows[i].failure;
         svg.text({left - 8, y + 14}, numberOf(failure) + "  " + failure.name, {12, Anchor::end});
-        for (const Way way : allWays) {
-            const Verdict& verdict = rows[i].verdicts[std::size_t(way)];
-            const double x = left + double(way) * width;
+        for (const ContactVariant variant : allVariants) {
+            const Verdict& verdict = rows[i].verdicts[std::size_t(variant)];
+            const double x = left + double(variant) * width;
             svg.rectangle(
                 {x, y}, width, height,
                 format("fill=\"{}\" stroke=\"#ffffff\"", colours[std::size_t(verdict.fate)]));
@@ -125,13 +127,13 @@ Table tableOf(const std::vector<CatalogueRow>& rows)
     Table table;
     table.columns = {"number", "entry", "way", "value", "limit", "outcome", "expected"};
     for (const CatalogueRow& row : rows)
-        for (const Way way : allWays) {
-            const Verdict& verdict = row.verdicts[std::size_t(way)];
+        for (const ContactVariant variant : allVariants) {
+            const Verdict& verdict = row.verdicts[std::size_t(variant)];
             if (verdict.fate == Fate::none) continue;
             table.rows.push_back({double(row.failure->number),
-                                  double(row.failure - catalogue().data()), double(way),
+                                  double(row.failure - catalogue().data()), double(variant),
                                   verdict.measure.value, row.failure->limit, double(verdict.fate),
-                                  double(isExpected(*row.failure, way, verdict.fate))});
+                                  double(isExpected(*row.failure, variant, verdict.fate))});
         }
     return table;
 }
@@ -140,8 +142,8 @@ Table tableOf(const std::vector<CatalogueRow>& rows)
 
 bool CatalogueRow::isExpected() const
 {
-    return std::ranges::all_of(allWays, [&](Way way) {
-        return fpm::isExpected(*failure, way, verdicts[std::size_t(way)].fate);
+    return std::ranges::all_of(allVariants, [&](ContactVariant variant) {
+        return fpm::isExpected(*failure, variant, verdicts[std::size_t(variant)].fate);
     });
 }
 

@@ -21,9 +21,9 @@ double springOf(const Part& part, double area, double thickness)
 }
 
 /// How far the force between the bodies is from that by hand.
-double forceError(const Held& held, Way way)
+double forceError(const Held& held, ContactVariant variant)
 {
-    const auto solver = startedSolver(inWay(held.model, way));
+    const auto solver = startedSolver(asVariant(held.model, variant));
     return std::abs(solver->pairForce(0).force[2] / held.expected - 1);
 }
 
@@ -98,10 +98,10 @@ Held meshSeam(bool merged)
 }
 
 /// Share of the contactors that have less than their force by hand.
-Measure lostAtSeam(Way way)
+Measure lostAtSeam(ContactVariant variant)
 {
     const Held held = meshSeam(false);
-    const auto solver = startedSolver(inWay(held.model, way));
+    const auto solver = startedSolver(asVariant(held.model, variant));
     const NodeValues values = solver->nodeValues(held.model.contactPairs[0].contactorNodes);
     double lost = 0;
     for (std::size_t i = 0; i < values.count; ++i)
@@ -111,7 +111,7 @@ Measure lostAtSeam(Way way)
 
 /// F4: the corner of a cube pushed into the flat end of a block that stands askew: the end is cut
 /// by three faces, three edges and the corner. Deviation of the energy of its springs.
-Measure cornerInFace(Way way)
+Measure cornerInFace(ContactVariant variant)
 {
     constexpr double cut = 0.5; // of the corner, along the diagonal
     Model model;
@@ -134,13 +134,13 @@ Measure cornerInFace(Way way)
         const double gap = std::max({p[0], p[1], p[2]});
         if (gap < 0) exact += 0.5 * springOf(model.parts[0], 1, 1) * gap * gap;
     }
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     return {std::abs(solver->pairForce(0).spring / exact - 1), {}};
 }
 
 /// F1: a groove of 20 degrees, one long face on its left flank, eight on the right; a node is led
 /// from flank to flank. Share of the steps inside a flank that are without contact.
-Measure grooveNode(Way way)
+Measure grooveNode(ContactVariant variant)
 {
     const double slope = std::tan(80 * M_PI / 180), height = 4.9, speed = 1e6;
     Model model;
@@ -170,7 +170,7 @@ Measure grooveNode(Way way)
                                                  nodesOfPart(model.mesh, "point"),
                                                  {true, true, true}, {speed, 0, 0}));
     model.control.fixedTimeStep = 2e-9;
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     double inside = 0, lost = 0;
     for (double x = -1; x < 1; x = -1 + speed * solver->clock().time) {
         if (height - slope * std::abs(x) < -1e-6) {
@@ -208,8 +208,8 @@ std::vector<Failure> searchFailures()
          .note = "the paper's search takes another face for every sixth node, but its projection "
                  "then looks at all faces around the corner nearest there, and finds it",
          .run =
-             [](Way way) {
-                 return Measure{forceError(shearedFaces(), way), {}};
+             [](ContactVariant variant) {
+                 return Measure{forceError(shearedFaces(), variant), {}};
              }},
         {.number = 3,
          .name = "largeFace",
@@ -221,8 +221,8 @@ std::vector<Failure> searchFailures()
          .remedy = "each face is entered in a grid of cells of its own size",
          .note = "the cells are wide enough, but nodes of smaller faces beside it are closer",
          .run =
-             [](Way way) {
-                 return Measure{forceError(largeFace(), way), {}};
+             [](ContactVariant variant) {
+                 return Measure{forceError(largeFace(), variant), {}};
              }},
         {.number = 4,
          .name = "cornerInFace",
@@ -256,8 +256,9 @@ std::vector<Failure> searchFailures()
              "default: nodes nearer to the seam than they are deep (15 of 375) are held by both "
              "bodies; paper: those whose closest particle is taken from the other body by none",
          .run =
-             [](Way way) {
-                 return Measure{forceError(meshSeam(way == Way::remedy), way), {}};
+             [](ContactVariant variant) {
+                 return Measure{forceError(meshSeam(variant == ContactVariant::remedy), variant),
+                                {}};
              }},
     };
 }

@@ -40,7 +40,7 @@ Measure saidOf(Mesh mesh, const std::string& contactDict, std::vector<bool> rigi
     return saidBy([&](Log& log) { setContact(mesh, Dictionary::parse(contactDict), rigid, log); });
 }
 
-Measure inwardFaces(Way)
+Measure inwardFaces(ContactVariant)
 {
     Mesh mesh = twoBlocks();
     mesh.sideSets["foot"] = facing(mesh, "upper", {0, 0, -1});
@@ -48,7 +48,7 @@ Measure inwardFaces(Way)
     return saidOf(mesh, "pairs { press { contactor foot; target base; } }");
 }
 
-Measure unmergedNodes(Way)
+Measure unmergedNodes(ContactVariant)
 {
     Mesh mesh;
     addBox(mesh, "left", {2, 4, 1}, {0, 0, 0}, {2, 4, 1});
@@ -61,12 +61,12 @@ Measure unmergedNodes(Way)
     return saidOf(mesh, "pairs { press { contactor upper; target top; } }");
 }
 
-Measure rigidOnRigid(Way)
+Measure rigidOnRigid(ContactVariant)
 {
     return saidOf(twoBlocks(), "pairs { press { contactor upper; target lower; } }", {true, true});
 }
 
-Measure doubledPair(Way)
+Measure doubledPair(ContactVariant)
 {
     Mesh mesh = twoBlocks();
     mesh.sideSets["foot"] = facing(mesh, "upper", {0, 0, -1});
@@ -75,7 +75,7 @@ Measure doubledPair(Way)
 }
 
 /// An element whose side is a triangle, as wedges in hexahedra are written.
-Measure wedgeElements(Way)
+Measure wedgeElements(ContactVariant)
 {
     Mesh mesh = twoBlocks();
     Hexahedron& element = mesh.hexahedra.front();

@@ -43,13 +43,13 @@ Point flat(double x)
     return {x, 0, 0};
 }
 
-/// Largest change of the force between looks, over the force, until the block has gone `way`.
-Measure worstJerk(const Model& model, double way)
+/// Largest change of the force between looks, over the force, until the block has gone `variant`.
+Measure worstJerk(const Model& model, double distance)
 {
     const auto solver = startedSolver(model);
     const double speed = model.initialVelocities[0].velocity[0];
     double last = solver->pairForce(0).force[2], worst = last > 0 ? 0 : 1;
-    while (speed * solver->clock().time < way) {
+    while (speed * solver->clock().time < distance) {
         solver->advance(1, 1);
         const double now = solver->pairForce(0).force[2];
         worst = std::max(worst, std::abs(now / last - 1));
@@ -59,24 +59,24 @@ Measure worstJerk(const Model& model, double way)
 }
 
 /// F5: nodes go along edges of faces and over their corners.
-Measure nodesOnEdges(Way way)
+Measure nodesOnEdges(ContactVariant variant)
 {
-    return worstJerk(inWay(slider(flat, 0.3, -0.01, {1e6, 0, 0}, 1), way), 10);
+    return worstJerk(asVariant(slider(flat, 0.3, -0.01, {1e6, 0, 0}, 1), variant), 10);
 }
 
 /// F7: each face of the track is a tenth longer than the one before.
-Measure gradedFaces(Way way)
+Measure gradedFaces(ContactVariant variant)
 {
     const auto graded = [](double x) {
         return Point{12 * (std::pow(1.1, 2 * x) - 1) / (std::pow(1.1, 24) - 1), 0, 0};
     };
-    return worstJerk(inWay(slider(graded, 0.3, -0.01, {1e6, 0, 0}), way), 10);
+    return worstJerk(asVariant(slider(graded, 0.3, -0.01, {1e6, 0, 0}), variant), 10);
 }
 
 /// F6: led over a ridge of twice 22 degrees, 0.2 below its top. Error of the energy
 /// over that of the springs, as a share of what the step in which the normal turns may cost: the
 /// force changes by 0.8 k g along its way, over k g^2 / 2.
-Measure kinkedTrack(double friction, Way way)
+Measure kinkedTrack(double friction, ContactVariant variant)
 {
     const double depth = 0.2, step = 2e-8, speed = 2e5;
     Model model = slider(
@@ -86,7 +86,7 @@ Measure kinkedTrack(double friction, Way way)
         5.4, -depth, {speed, 0, 0});
     model.contactPairs[0].friction = friction;
     model.control.fixedTimeStep = step;
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     const double start = solver->energies().total;
     double worst = 0, most = 0;
     while (solver->clock().time < 8e-6) {
@@ -100,10 +100,11 @@ Measure kinkedTrack(double friction, Way way)
 
 /// F15: off the end of the track at x = 12. How far beyond it a node is still held, over the width
 /// of a face; 1 where a node is let go before the end or the force is not that of those held.
-Measure tableEdge(Way way)
+Measure tableEdge(ContactVariant variant)
 {
     const double speed = 1e5;
-    const auto solver = startedSolver(inWay(slider(flat, 10.6, -0.001, {speed, 0, 0}), way));
+    const auto solver =
+        startedSolver(asVariant(slider(flat, 10.6, -0.001, {speed, 0, 0}), variant));
     const double each = solver->pairForce(0).force[2] / 4;
     double farthest = 0;
     for (double front = 11.6; front < 13.2; front = 11.6 + speed * solver->clock().time) {
@@ -168,11 +169,11 @@ Model turningPair(double width)
 
 /// F19: error of the friction force by hand, four springs k_t times the slip, turned with the
 /// bodies: the worst of a full turn.
-Measure turnedPair(double width, Way way)
+Measure turnedPair(double width, ContactVariant variant)
 {
     Model model = turningPair(width);
     const double scale = model.contactPairs[0].tangentialScale = 0.1; // so that friction bears it
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     const double spring = 4 * scale * 70000.0 / 3 * width * width; // K A^2 / V, K = E / 3
     double worst = 0;
     for (int part = 0; part <= 8; ++part) {
@@ -187,7 +188,7 @@ Measure turnedPair(double width, Way way)
 /// F20: a brick on another, loaded by its weight and by less along the joint than friction bears.
 /// Error of the slip against k_t at two late times, the worse. `width`: of the lower brick under
 /// the upper one of 1; equal ones have the nodes of their sides on the rim.
-Measure restingSlip(double width, Way way)
+Measure restingSlip(double width, ContactVariant variant)
 {
     const double weight = 100, along = 20;
     Model model;
@@ -209,7 +210,7 @@ Measure restingSlip(double width, Way way)
                   {along, 0, 0}, {Amplitude::Kind::smooth, {{2e-5, 0}, {6e-5, 1}}}));
     model.control.massDamping = 1e6;
     const double spring = 4 * pair.tangentialScale * 70000.0 / 3 * width * width; // K A^2 / V
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     double worst = 0;
     for (const double time : {2e-4, 1e-3}) {
         solver->advance(time, 1000000);
@@ -224,7 +225,7 @@ Measure restingSlip(double width, Way way)
 
 /// F21: a block pressed with changing force and sheared to and fro beyond sticking. Worst error of
 /// the balance, or the share of the friction work that came back.
-Measure cyclicShear(Way way)
+Measure cyclicShear(ContactVariant variant)
 {
     Model model;
     addBox(model.mesh, "lower", {3, 3, 1}, {-1, -1, -1}, {3, 3, 1});
@@ -246,7 +247,7 @@ Measure cyclicShear(Way way)
                facing(model.mesh, "lower", {0, 0, 1}))
         .friction = 0.3;
     model.control.fixedTimeStep = 5e-9;
-    const auto solver = startedSolver(inWay(model, way));
+    const auto solver = startedSolver(asVariant(model, variant));
     double last = 0, back = 0, worst = 0;
     while (solver->clock().time < 4e-5) {
         solver->advance(4e-5, 20);
@@ -281,7 +282,7 @@ std::vector<Failure> slidingFailures()
          .reason = "change of the force times the way of that step, exact in the worst phase, "
                    "which this is; rounding",
          .remedy = "the force is the gradient of a potential",
-         .run = [](Way way) { return kinkedTrack(0, way); }},
+         .run = [](ContactVariant variant) { return kinkedTrack(0, variant); }},
         {.number = 6,
          .name = "roughKink",
          .fails = "Where the normal turns at once friction keeps its old direction, or books a way "
@@ -292,7 +293,7 @@ std::vector<Failure> slidingFailures()
          .expected = {Fate::holds, Fate::loses, Fate::none},
          .remedy = "the stored force turns with the face; a foot that leaps makes no slip",
          .note = "eqs. 17-18 as printed do not turn the stored force into the new plane",
-         .run = [](Way way) { return kinkedTrack(0.3, way); }},
+         .run = [](ContactVariant variant) { return kinkedTrack(0.3, variant); }},
         {.number = 7,
          .name = "gradedFaces",
          .fails = "The spring jumps where a node meets a face of other stiffness.",
@@ -322,7 +323,7 @@ std::vector<Failure> slidingFailures()
          .expected = {Fate::holds, Fate::loses, Fate::none},
          .remedy = "the stored force turns with the face",
          .note = "eqs. 17-18 as printed store it in global axes",
-         .run = [](Way way) { return turnedPair(2, way); }},
+         .run = [](ContactVariant variant) { return turnedPair(2, variant); }},
         {.number = 19,
          .name = "turnedAtRim",
          .fails = "The same where nodes lie on the rim of the target, beyond its free edges.",
@@ -332,7 +333,7 @@ std::vector<Failure> slidingFailures()
          .expected = {Fate::holds, Fate::loses, Fate::none},
          .remedy = "the way beyond the edge is measured in axes of the face",
          .note = "as turnedPair",
-         .run = [](Way way) { return turnedPair(1, way); }},
+         .run = [](ContactVariant variant) { return turnedPair(1, variant); }},
         {.number = 20,
          .name = "restingOnIncline",
          .fails = "A stuck block creeps, or slips further than its springs let it.",
@@ -340,7 +341,7 @@ std::vector<Failure> slidingFailures()
          .limit = 0.01,
          .reason = "load over four springs k_t",
          .remedy = "elastic slip is stored, not rebuilt",
-         .run = [](Way way) { return restingSlip(3, way); }},
+         .run = [](ContactVariant variant) { return restingSlip(3, variant); }},
         {.number = 20,
          .name = "restingAtRim",
          .fails = "The same where nodes lie on the rim of the target.",
@@ -348,7 +349,7 @@ std::vector<Failure> slidingFailures()
          .limit = 0.01,
          .reason = "load over four springs k_t",
          .remedy = "the way of a contactor beyond a free edge counts, though its foot stays on it",
-         .run = [](Way way) { return restingSlip(1, way); }},
+         .run = [](ContactVariant variant) { return restingSlip(1, variant); }},
         {.number = 21,
          .name = "cyclicShear",
          .fails = "Friction gives energy back when the pressure changes while it slides.",

@@ -50,8 +50,8 @@ public:
     void tell()
     {
         const auto now = std::chrono::steady_clock::now();
-        if (now - told_ < std::chrono::milliseconds(500)) return;
-        told_ = now;
+        if (now - reported_ < std::chrono::milliseconds(500)) return;
+        reported_ = now;
         const std::size_t done = map_.done();
         const double seconds = std::chrono::duration<double>(now - begin_).count();
         std::string text = format("{}: {} of {} points", map_.spec.name, done, map_.points.size());
@@ -66,7 +66,7 @@ private:
     const StabilityMap& map_;
     Log& log_;
     std::size_t before_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), told_{};
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), reported_{};
 };
 
 /// What failed though it was predicted to be stable, point by point.

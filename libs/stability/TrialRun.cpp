@@ -18,7 +18,7 @@ double depthOf(Solver& solver, std::size_t pairs)
         const PairForce now = solver.pairForce(pair);
         const double force = std::hypot(now.force[0], now.force[1], now.force[2]);
         double width = 0;
-        for (const PairData& pass : solver.data().pairs)
+        for (const ContactPassSetup& pass : solver.data().passes)
             if (pass.pair == pair) width = std::max(width, pass.meanFaceSize);
         if (force > 0 && width > 0) most = std::max(most, 2 * now.spring / (force * width));
     }
@@ -47,7 +47,7 @@ public:
     }
 
     /// False once the end is clear.
-    bool look()
+    bool sample()
     {
         const StepClock clock = solver_.clock();
         result_.steps = double(clock.steps);
@@ -61,7 +61,7 @@ public:
         result_.penetration = std::max(result_.penetration, depthOf(solver_, pairs));
         for (std::size_t pair = 0; pair < pairs; ++pair)
             if (solver_.pairForce(pair).released > 0) lost_ = true;
-        lookAtContact(pairs);
+        sampleContact(pairs);
         return true;
     }
     TrialResult result()
@@ -78,7 +78,7 @@ public:
             result_.outcome = Outcome::energyDrift;
         else if (result_.penetration > limits_.penetration)
             result_.outcome = Outcome::penetration;
-        else if (trial_.staysClosed && double(changes_) > limits_.chatter * double(looks_))
+        else if (trial_.staysClosed && double(changes_) > limits_.chatter * double(samples_))
             result_.outcome = Outcome::chatter;
         return result_;
     }
@@ -89,13 +89,13 @@ private:
         result_.outcome = outcome;
         return false;
     }
-    void lookAtContact(std::size_t pairs)
+    void sampleContact(std::size_t pairs)
     {
         bool closed = false;
         for (std::size_t pair = 0; pair < pairs; ++pair)
             closed |= solver_.pairForce(pair).active > 0;
-        ++looks_;
-        if (looks_ > 1 && closed != closed_) ++changes_;
+        ++samples_;
+        if (samples_ > 1 && closed != closed_) ++changes_;
         closed_ = closed;
     }
 
@@ -104,7 +104,7 @@ private:
     TrialLimits limits_;
     TrialResult result_;
     double scale_ = 0;
-    std::int64_t looks_ = 0, changes_ = 0;
+    std::int64_t samples_ = 0, changes_ = 0;
     bool closed_ = false, lost_ = false;
 };
 
@@ -132,7 +132,7 @@ TrialResult runTrial(const Trial& trial,
     Watch watch(*solver, trial, limits);
     for (int done = 0; done < limits.steps; done += 5) {
         solver->advance(model.control.endTime, 5);
-        if (!watch.look() || solver->clock().time >= model.control.endTime) break;
+        if (!watch.sample() || solver->clock().time >= model.control.endTime) break;
     }
     return watch.result();
 }

@@ -162,9 +162,9 @@ inline void addMotions(std::vector<Scene>& scenes)
     turn.line = {{{4, 3.5, 6}, {0, 0, 1}}};
     turn.angle = 2;
     turned.boundaryConditions.push_back(turn);
-    const auto foot = nodesWhere(turned.mesh, [](Point p) { return p[2] < 0.01 && p[2] > -1.5; });
+    const auto bottom = nodesWhere(turned.mesh, [](Point p) { return p[2] < 0.01 && p[2] > -1.5; });
     BoundaryCondition pull =
-        condition(Kind::force, "pull", foot, {true, true, true}, {20, -10, -30});
+        condition(Kind::force, "pull", bottom, {true, true, true}, {20, -10, -30});
     pull.axes = {{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}};
     turned.boundaryConditions.push_back(pull);
     const auto side = nodesWhere(turned.mesh, [](Point p) { return p[0] < -1.99 && p[2] > -3.5; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "parallel/Atomic.h"
 
 namespace fpm {
@@ -50,9 +50,9 @@ struct CellLists {
     }
 
     /// found(face) for the faces whose boxes, as they were entered, hold the node, and others.
-    template <class Precision, class Found>
+    template <class Numbers, class Found>
     FPM_KERNEL void
-    forEachFace(const PairView<Precision>& pair, Index node, const Found& found) const
+    forEachFace(const ContactPassView<Numbers>& pass, Index node, const Found& found) const
     {
         double size = cellSize;
         for (Index level = 0; level < levels; ++level, size += size) {
@@ -60,7 +60,7 @@ struct CellLists {
             std::int64_t cell[3];
             for (int c = 0; c < 3; ++c)
                 cell[c] =
-                    cellOf(double(pair.position[c * pair.nodeStride + std::size_t(node)]), size);
+                    cellOf(double(pass.position[c * pass.nodeStride + std::size_t(node)]), size);
             for (int near = 0; near < 27; ++near) {
                 const std::int64_t x = cell[0] + near % 3 - 1, y = cell[1] + near / 3 % 3 - 1,
                                    z = cell[2] + near / 9 - 1;
@@ -79,20 +79,20 @@ struct CellLists {
 
 /// Enters a target face into the cell where the middle of its box lies, its margin included, on the
 /// first level whose cells are at least half as wide as the box (`search faces`).
-template <class Precision>
+template <class Numbers>
 struct InsertFace {
-    PairView<Precision> pair;
+    ContactPassView<Numbers> pass;
     CellLists cells;
 
     FPM_KERNEL void operator()(Index face) const
     {
         double middle[3], widest = 0;
-        const double margin = double(pair.margin(face));
+        const double margin = double(pass.margin(face));
         for (int c = 0; c < 3; ++c) {
             double least = 1e300, most = -1e300;
             for (int k = 0; k < 4; ++k) {
-                const std::size_t node = std::size_t(pair.faceNode[4 * std::size_t(face) + k]);
-                const double x = double(pair.position[c * pair.nodeStride + node]);
+                const std::size_t node = std::size_t(pass.faceNode[4 * std::size_t(face) + k]);
+                const double x = double(pass.position[c * pass.nodeStride + node]);
                 least = x < least ? x : least;
                 most = x > most ? x : most;
             }
@@ -117,17 +117,17 @@ struct InsertFace {
 };
 
 /// Enters a target node into its cell (`search closestParticle`, the paper's connected list).
-template <class Precision>
+template <class Numbers>
 struct InsertTarget {
-    PairView<Precision> pair;
+    ContactPassView<Numbers> pass;
     CellLists cells;
 
     FPM_KERNEL void operator()(Index i) const
     {
-        const std::size_t node = std::size_t(pair.targetNode(i));
+        const std::size_t node = std::size_t(pass.targetNode(i));
         std::int64_t cell[3];
         for (int c = 0; c < 3; ++c)
-            cell[c] = CellLists::cellOf(double(pair.position[c * pair.nodeStride + node]),
+            cell[c] = CellLists::cellOf(double(pass.position[c * pass.nodeStride + node]),
                                         cells.cellSize);
         cells.insert(i, cells.list(cell[0], cell[1], cell[2]), 0);
     }

@@ -41,8 +41,8 @@ FPM_KERNEL FacePoint<Work> closestRimPoint(const FaceCorners<Work>& face)
         const int end = (edge + 1) & 3;
         const Vec3<Work>& a = face.corner[edge];
         const Vec3<Work> e = face.corner[end] - a;
-        const Work size = dot(e, e), way = -dot(a, e);
-        const Work t = !(way > 0) ? Work(0) : way >= size ? Work(1) : way / size;
+        const Work size = dot(e, e), along = -dot(a, e);
+        const Work t = !(along > 0) ? Work(0) : along >= size ? Work(1) : along / size;
         const Vec3<Work> r = multiplyAdd(t, e, a);
         const Work square = dot(r, r);
         if (best.where != insideFace && !(square < best.square)) continue;
@@ -81,9 +81,9 @@ FPM_KERNEL FacePoint<Work> closestTrianglePoint(const FaceCorners<Work>& face,
         if (!(square < best.square)) return;
         best = {s + s - 1, t + t - 1, square, insideFace};
     };
-    const Work size = dot(diagonal, diagonal), way = -dot(x[0], diagonal);
-    if (way > 0 && way < size) {
-        const Work t = way / size;
+    const Work size = dot(diagonal, diagonal), along = -dot(x[0], diagonal);
+    if (along > 0 && along < size) {
+        const Work t = along / size;
         improve(t, t, multiplyAdd(t, diagonal, x[0]));
     }
     for (int half = 0; half < 2; ++half) {

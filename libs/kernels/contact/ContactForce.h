@@ -11,11 +11,11 @@ namespace fpm {
 /// Tracks the face of one contactor, measures the gap and adds the penalty and friction forces to
 /// both sides (eqs. 15-18 of the paper; gap g = (x_c - x_p) . n). `friction`: a kernel of its own
 /// for pairs without, which on a GPU needs fewer registers (doc/performance.md).
-template <class Precision, bool friction>
+template <class Numbers, bool friction>
 struct ContactForce {
-    using Work = typename Precision::Work;
-    using Faces = FootFaces<Precision>;
-    PairView<Precision> pair;
+    using Work = typename Numbers::Work;
+    using Faces = ProjectionFaces<Numbers>;
+    ContactPassView<Numbers> pass;
     CellLists cells;
 
     static constexpr Index block = NodeBlocks::size;
@@ -28,25 +28,25 @@ struct ContactForce {
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         using T = typename Team::template Number<Work>;
-        if (!pair.clock->running) return;
-        const Index first = number * block, left = pair.contactorCount - first;
+        if (!pass.clock->running) return;
+        const Index first = number * block, left = pass.contactorCount - first;
         const Index size = left < block ? left : block;
-        const BlockForce total{pair.force + std::size_t(number) * BlockForce::values,
-                               pair.contactorForce, Team::oneThread};
+        const BlockForce total{pass.force + std::size_t(number) * BlockForce::values,
+                               pass.contactorForce, Team::oneThread};
         team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
         if (total.each)
             team.forEach(3 * size, [=](Index k) { total.each[3 * std::size_t(first) + k] = 0; });
         team.barrier();
         team.template forEachBatch<Work>(size, [&](Index e) {
-            const SteadyContactors<Precision, T> steady(pair, first + e);
+            const SteadyContactors<Numbers, T> steady(pass, first + e);
             for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
                 const Index i = first + e + lane;
-                if (i >= pair.contactorCount) continue;
-                const Index face = pair.face[i];
+                if (i >= pass.contactorCount) continue;
+                const Index face = pass.face[i];
                 if (steady.holds(lane))
-                    press(i, steady.tracked(lane, face), total);
+                    applyForces(i, steady.tracked(lane, face), total);
                 else if (face >= 0)
-                    press(i, FaceTracker<Precision>{pair, cells}.follow(i), total);
+                    applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
                 else if (face == noFace)
                     open(i, Work(1));
             }
@@ -61,51 +61,52 @@ private:
     };
 
     /// Spring, friction and damping against the face found now.
-    FPM_KERNEL void press(Index i, const Tracked<Work>& now, const BlockForce& total) const
+    FPM_KERNEL void applyForces(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {
-        const Place<Work> origin{pair.face[i], pair.xi[i], pair.eta[i]};
+        const Place<Work> origin{pass.face[i], pass.xi[i], pass.eta[i]};
         const Index face = now.face;
-        pair.face[i] = face;
-        pair.xi[i] = now.xi;
-        pair.eta[i] = now.eta;
+        pass.face[i] = face;
+        pass.xi[i] = now.xi;
+        pass.eta[i] = now.eta;
         const Projection<Work>& at = now.at;
         const Partner partner = partnerOf(i, now);
         const Work stiffness = partner.stiffness;
-        const Work way = pair.law.damps() ? approach(i, face, at) : Work(0);
-        if (now.beyond || !(at.gap < pair.reach)) {
+        const Work gapChange = pass.law.damps() ? approach(i, face, at) : Work(0);
+        if (now.beyond || !(at.gap < pass.reach)) {
             if (now.beyond && at.gap < 0) {
-                if (pair.law.spring[i] > 0) atomicAdd64(pair.counts + countOverEdge, 1);
-                letGo(i);
+                if (pass.law.spring[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
+                release(i);
             }
-            open(i, stiffness, way);
+            open(i, stiffness, gapChange);
             return;
         }
         if (-at.gap > partner.thickness) {
-            letGo(i);
-            atomicAdd64(pair.counts + countReleased, 1);
-            open(i, stiffness, way);
+            release(i);
+            atomicAdd64(pass.counts + countReleased, 1);
+            open(i, stiffness, gapChange);
             return;
         }
-        const Work gap = relievedGap(pair, i, at.gap, stiffness);
+        const Work gap = relievedGap(pass, i, at.gap, stiffness);
         Vec3<Work> force{0, 0, 0};
-        Vec3<Work> rubbing{0, 0, 0};
-        const bool rubs = friction && gap < 0;
-        const Faces here = rubs ? Faces(pair, i, face, at) : Faces();
+        Vec3<Work> frictionPart{0, 0, 0};
+        const bool hasFriction = friction && gap < 0;
+        const Faces here = hasFriction ? Faces(pass, i, face, at) : Faces();
         if (gap < 0) {
-            const Work pressed =
-                pair.law.normalForce(i, stiffness, gap, partner.mass, way, pair.clock->step);
+            const Work normalForce =
+                pass.law.normalForce(i, stiffness, gap, partner.mass, gapChange, pass.clock->step);
             Vec3<Work> held{0, 0, 0};
-            force = pressed * at.normal;
+            force = normalForce * at.normal;
             if constexpr (friction) {
-                const Vec3<Work> along = tangential(i, now, here, origin, stiffness, pressed, held);
+                const Vec3<Work> along =
+                    tangential(i, now, here, origin, stiffness, normalForce, held);
                 force += along;
-                if (!pair.law.friction.paper) rubbing = along;
+                if (!pass.law.friction.paper) frictionPart = along;
             }
-            pair.law.spring[i] = pair.law.energy(stiffness, gap, held);
-            if (pair.heldStiffness) pair.heldStiffness[i] = stiffness;
+            pass.law.spring[i] = pass.law.energy(stiffness, gap, held);
+            if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
-            open(i, stiffness, way);
-        share(i, now, gap < 0, here, force, rubbing, stiffness, total);
+            open(i, stiffness, gapChange);
+        distribute(i, now, gap < 0, here, force, frictionPart, stiffness, total);
     }
 
     /// What the target is to a contactor; where several faces have its foot in common, all of them:
@@ -115,51 +116,51 @@ private:
     /// another.
     FPM_KERNEL Partner partnerOf(Index i, const Tracked<Work>& now) const
     {
-        const PairLaw<Work>& law = pair.law;
+        const PassLaw<Work>& law = pass.law;
         const Index face = now.face;
         const bool damps = law.damps(),
-                   held = pair.heldStiffness && law.spring[i] > 0 && pair.heldStiffness[i] > 0;
-        Partner out{law.stiffness(i, pair.faceStiffness[face]),
-                    damps ? law.lesserMass(i, pair.faceMass[face]) : Work(0),
-                    Work(pair.faceThickness[face])};
-        const bool asked = damps || (pair.heldStiffness && !held) || -now.at.gap > out.thickness;
+                   held = pass.heldStiffness && law.spring[i] > 0 && pass.heldStiffness[i] > 0;
+        Partner out{law.stiffness(i, pass.faceStiffness[face]),
+                    damps ? law.lesserMass(i, pass.faceMass[face]) : Work(0),
+                    Work(pass.faceThickness[face])};
+        const bool asked = damps || (pass.heldStiffness && !held) || -now.at.gap > out.thickness;
         if (asked && isOnBorder(now.at.xi, now.at.eta)) addOthers(i, now, out);
-        if (held) out.stiffness = pair.heldStiffness[i];
+        if (held) out.stiffness = pass.heldStiffness[i];
         return out;
     }
     FPM_KERNEL void addOthers(Index i, const Tracked<Work>& now, Partner& out) const
     {
         Work count = 1;
-        AroundFoot<Precision>{pair, i}.forEach(
+        FacesAroundProjection<Numbers>{pass, i}.forEach(
             {now.face, now.at.xi, now.at.eta}, [&](const Place<Work>& other, const Vec3<Work>&) {
                 const std::size_t face = std::size_t(other.face);
-                const Work thickness = Work(pair.faceThickness[face]);
+                const Work thickness = Work(pass.faceThickness[face]);
                 if (thickness > out.thickness) out.thickness = thickness;
-                out.stiffness += pair.law.stiffness(i, pair.faceStiffness[face]);
+                out.stiffness += pass.law.stiffness(i, pass.faceStiffness[face]);
                 count += 1;
-                if (!pair.law.damps()) return true;
-                const Work mass = pair.law.lesserMass(i, pair.faceMass[face]);
+                if (!pass.law.damps()) return true;
+                const Work mass = pass.law.lesserMass(i, pass.faceMass[face]);
                 if (mass > 0 && !(out.mass > 0 && out.mass < mass)) out.mass = mass;
                 return true;
             });
         out.stiffness = out.stiffness / count;
     }
-    FPM_KERNEL void letGo(Index i) const
+    FPM_KERNEL void release(Index i) const
     {
-        pair.face[i] = releasedFace;
-        if (pair.injected) pair.injected[pair.contactorCount + i] = 0; // see relievedGap
+        pass.face[i] = releasedFace;
+        if (pass.injected) pass.injected[pass.contactorCount + i] = 0; // see relievedGap
     }
     /// No touch: no force. Who did not touch before has nothing to tell.
-    FPM_KERNEL void open(Index i, Work stiffness, Work way = 0) const
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
     {
-        if (!(pair.law.spring[i] > 0)) return;
-        pair.law.open(i, stiffness, way);
+        if (!(pass.law.spring[i] > 0)) return;
+        pass.law.open(i, stiffness, gapChange);
     }
 
     /// Change of the gap in this step.
     FPM_KERNEL Work approach(Index i, Index face, const Projection<Work>& at) const
     {
-        return dot(Slip<Precision>{pair, i}.relativeWay(face, at), at.normal);
+        return dot(Slip<Numbers>{pass, i}.relativeDisplacement(face, at), at.normal);
     }
     /// Friction on the contactor. The stored force turns with the face it belongs to; where the
     /// contactor has come from another one, that face as it lies now hands it over. `here`: the
@@ -169,65 +170,66 @@ private:
                                      const Faces& here,
                                      const Place<Work>& origin,
                                      Work stiffness,
-                                     Work pressed,
+                                     Work normalForce,
                                      Vec3<Work>& held) const
     {
-        const PairLaw<Work>& law = pair.law;
-        const Slip<Precision> measure{pair, i};
+        const PassLaw<Work>& law = pass.law;
+        const Slip<Numbers> measure{pass, i};
         const Index face = now.face;
         const Projection<Work>& at = now.at;
         held = law.storedVector(i);
         if (law.friction.paper) {
-            const Vec3<Work> slip = inPlane(measure.relativeWay(face, at), at.normal);
-            return held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
+            const Vec3<Work> slip = inPlane(measure.relativeDisplacement(face, at), at.normal);
+            return held = law.slide(i, held, slip, stiffness, normalForce, pass.clock->step);
         }
-        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
         const FaceFrame<Work> frame(corners);
         if (law.storedFace[i] != face) {
             if (dot(held, held) > 0) {
-                const FaceFrame<Work> old(pair.corners(law.storedFace[i], pair.contactor[i]));
+                const FaceFrame<Work> old(pass.corners(law.storedFace[i], pass.contactor[i]));
                 held = frame.components(old.vector(held, at.normal), at.normal);
             }
             law.storedFace[i] = face;
         }
-        Vec3<Work> way = inPlane(measure.way(now, here, corners, origin), at.normal);
+        Vec3<Work> displacement =
+            inPlane(measure.displacement(now, here, corners, origin), at.normal);
         const Directions<Work> across = measure.acrossMirrors(now, here);
         if (across.count > 0) {
-            way = across.without(way);
+            displacement = across.without(displacement);
             const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);
             law.lose(i, dot(force, force) - dot(left, left), stiffness);
             held = frame.components(left, at.normal);
         }
-        const Vec3<Work> slip = frame.components(way, at.normal);
-        held = law.slide(i, held, slip, stiffness, pressed, pair.clock->step);
+        const Vec3<Work> slip = frame.components(displacement, at.normal);
+        held = law.slide(i, held, slip, stiffness, normalForce, pass.clock->step);
         return frame.vector(held, at.normal);
     }
 
     /// Forces on the target, and the contactor's as minus their exact sum. `here`: the faces at its
-    /// foot, none without friction. `rubbing`: what of the force has a couple. The stiffness of
-    /// every spring within reach enters the bound of the step before it closes.
-    FPM_KERNEL void share(Index i,
-                          const Tracked<Work>& now,
-                          bool closed,
-                          const Faces& here,
-                          const Vec3<Work>& force,
-                          const Vec3<Work>& rubbing,
-                          Work stiffness,
-                          const BlockForce& total) const
+    /// foot, none without friction. `frictionPart`: what of the force has a couple. The stiffness
+    /// of every spring within reach enters the bound of the step before it closes.
+    FPM_KERNEL void distribute(Index i,
+                               const Tracked<Work>& now,
+                               bool closed,
+                               const Faces& here,
+                               const Vec3<Work>& force,
+                               const Vec3<Work>& frictionPart,
+                               Work stiffness,
+                               const BlockForce& total) const
     {
-        const ContactSums& sums = pair.sums;
-        const Work bound = Work(2) * pair.law.limitFactor * stiffness;
-        const Index number = pair.contactNumber[pair.contactor[i]];
+        const ContactSums& sums = pass.sums;
+        const Work bound = Work(2) * pass.law.limitFactor * stiffness;
+        const Index number = pass.contactNumber[pass.contactor[i]];
         std::int64_t own[3] = {0, 0, 0};
         if (!closed)
-            loadStiffness(now.face, now.at.xi, now.at.eta, bound);
+            addStiffnessToFace(now.face, now.at.xi, now.at.eta, bound);
         else if (now.ridge)
-            loadFaces(i, RidgeFaces<Precision>(pair, i, now.face, now.at), force, rubbing, bound,
-                      own);
+            distributeToFaces(i, RidgeFaces<Numbers>(pass, i, now.face, now.at), force,
+                              frictionPart, bound, own);
         else if (friction && here.count > 1)
-            loadFaces(i, here, force, rubbing, bound, own);
+            distributeToFaces(i, here, force, frictionPart, bound, own);
         else
-            load(i, now.face, now.at.xi, now.at.eta, force, rubbing, bound, own);
+            addToFace(i, now.face, now.at.xi, now.at.eta, force, frictionPart, bound, own);
         if (closed) {
             sums.addForce(number, own);
             total.add(i, own);
@@ -236,36 +238,37 @@ private:
     }
     /// Several faces have equal shares of the force and, on a border, of the couple.
     template <class AnyFaces>
-    FPM_KERNEL void loadFaces(Index i,
-                              const AnyFaces& faces,
-                              const Vec3<Work>& force,
-                              const Vec3<Work>& rubbing,
-                              Work bound,
-                              std::int64_t (&own)[3]) const
+    FPM_KERNEL void distributeToFaces(Index i,
+                                      const AnyFaces& faces,
+                                      const Vec3<Work>& force,
+                                      const Vec3<Work>& frictionPart,
+                                      Work bound,
+                                      std::int64_t (&own)[3]) const
     {
         const Work part = Work(1) / Work(faces.count);
         for (int k = 0; k < faces.count; ++k)
-            load(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
-                 part * faces.image(k, rubbing), part * bound, own);
+            addToFace(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
+                      part * faces.image(k, frictionPart), part * bound, own);
     }
     /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
-    FPM_KERNEL void load(Index i,
-                         Index face,
-                         Work xi,
-                         Work eta,
-                         const Vec3<Work>& force,
-                         const Vec3<Work>& rubbing,
-                         Work bound,
-                         std::int64_t (&own)[3]) const
+    FPM_KERNEL void addToFace(Index i,
+                              Index face,
+                              Work xi,
+                              Work eta,
+                              const Vec3<Work>& force,
+                              const Vec3<Work>& frictionPart,
+                              Work bound,
+                              std::int64_t (&own)[3]) const
     {
         Work n[4];
         shapeFunctions(xi, eta, n);
         CornerCouple<Work> couple;
         if constexpr (friction)
-            couple = CornerCouple<Work>(pair.corners(face, pair.contactor[i]), xi, eta, rubbing);
-        const ContactSums& sums = pair.sums;
+            couple =
+                CornerCouple<Work>(pass.corners(face, pass.contactor[i]), xi, eta, frictionPart);
+        const ContactSums& sums = pass.sums;
         for (int k = 0; k < 4; ++k) {
-            const Index corner = Index(pair.contactNumberAt(face, k));
+            const Index corner = Index(pass.contactNumberAt(face, k));
             Vec3<Work> onCorner = -n[k] * force;
             if constexpr (friction) onCorner += couple.at(k);
             const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
@@ -276,12 +279,12 @@ private:
             sums.addStiffness(corner, double(n[k] * bound));
         }
     }
-    FPM_KERNEL void loadStiffness(Index face, Work xi, Work eta, Work bound) const
+    FPM_KERNEL void addStiffnessToFace(Index face, Work xi, Work eta, Work bound) const
     {
         Work n[4];
         shapeFunctions(xi, eta, n);
         for (int k = 0; k < 4; ++k)
-            pair.sums.addStiffness(Index(pair.contactNumberAt(face, k)), double(n[k] * bound));
+            pass.sums.addStiffness(Index(pass.contactNumberAt(face, k)), double(n[k] * bound));
     }
 };
 

@@ -23,27 +23,27 @@ FPM_KERNEL bool outsideRange(Work a, Work b, Work c, Work d, Work margin)
 
 /// Tries one face as partner of contactor i: true where it may touch it, looks at it, is not left
 /// over a free edge, and lies within reach, or inside by no more than half its thickness.
-template <class Precision>
-FPM_KERNEL bool isPartner(const PairView<Precision>& pair,
+template <class Numbers>
+FPM_KERNEL bool isPartner(const ContactPassView<Numbers>& pass,
                           Index i,
                           Index face,
-                          Candidate<typename Precision::Work>& out)
+                          Candidate<typename Numbers::Work>& out)
 {
-    using Work = typename Precision::Work;
-    const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
-    const Work margin = pair.margin(face);
+    using Work = typename Numbers::Work;
+    const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
+    const Work margin = pass.margin(face);
     const Vec3<Work>* x = corners.corner;
     if (outsideRange(x[0].x, x[1].x, x[2].x, x[3].x, margin)
         || outsideRange(x[0].y, x[1].y, x[2].y, x[3].y, margin)
-        || outsideRange(x[0].z, x[1].z, x[2].z, x[3].z, margin) || !pair.mayTouch(i, face))
+        || outsideRange(x[0].z, x[1].z, x[2].z, x[3].z, margin) || !pass.mayTouch(i, face))
         return false;
     const FacePoint<Work> point = closestPoint(corners, Work(0), Work(0));
-    const Work depth = Work(0.5) * Work(pair.faceThickness[face]);
-    const bool inReach = point.square <= pair.reach * pair.reach;
+    const Work depth = Work(0.5) * Work(pass.faceThickness[face]);
+    const bool inReach = point.square <= pass.reach * pass.reach;
     if (!inReach && !(point.square <= depth * depth)) return false;
-    if (looksAway(pair, i, gapAt(corners, point.xi, point.eta).normal)) return false;
+    if (isNotOpposing(pass, i, gapAt(corners, point.xi, point.eta).normal)) return false;
     bool beyond = false;
-    const Projection<Work> at = SignedGap<Precision>{pair, i}.at(face, corners, point, beyond);
+    const Projection<Work> at = SignedGap<Numbers>{pass, i}.at(face, corners, point, beyond);
     if (beyond || (at.gap < 0 ? -at.gap > depth : !inReach)) return false;
     out = {face, point, at.gap};
     return true;

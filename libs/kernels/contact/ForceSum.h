@@ -6,7 +6,7 @@
 namespace fpm {
 
 /// Contact nodes whose ways and threads are looked at together.
-inline constexpr Index travelBlock = 256;
+inline constexpr Index displacementBlock = 256;
 
 /// Contact forces are added up as 64-bit integers: the sum does not depend on the order of the
 /// contributions, so it is the same on any number of threads and on the GPU, and the force on a
@@ -57,7 +57,7 @@ struct ContactSums {
 private:
     FPM_KERNEL bool isMine(Index number) const
     {
-        return alone || (shared && shared[number / travelBlock] == 0);
+        return alone || (shared && shared[number / displacementBlock] == 0);
     }
 };
 

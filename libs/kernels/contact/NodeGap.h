@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "kernels/contact/RigidSurface.h"
 
 #include <limits>
@@ -12,32 +12,32 @@ inline constexpr double noGap = std::numeric_limits<double>::quiet_NaN();
 
 /// Gap of each contactor to the face it is tracked on, negative inside; noGap beyond the reach. It
 /// only reads what the force pass left.
-template <class Precision>
+template <class Numbers>
 struct FaceGap {
-    using Work = typename Precision::Work;
-    PairView<Precision> pair;
+    using Work = typename Numbers::Work;
+    ContactPassView<Numbers> pass;
     double* out; ///< [contactor]
 
     FPM_KERNEL void operator()(Index i) const
     {
         out[i] = noGap;
-        const Index face = pair.face[i];
+        const Index face = pass.face[i];
         if (face < 0) return;
-        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
-        const Work gap = gapAtClosest(corners, pair.xi[i], pair.eta[i]).gap;
-        if (gap < pair.reach) out[i] = double(gap);
+        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
+        const Work gap = gapAtClosest(corners, pass.xi[i], pass.eta[i]).gap;
+        if (gap < pass.reach) out[i] = double(gap);
     }
 };
 
 /// The same against an analytic surface.
-template <class Precision>
+template <class Numbers>
 struct SurfaceGap {
-    SurfaceForce<Precision> surface;
+    SurfaceForce<Numbers> surface;
     double* out; ///< [contactor]
 
     FPM_KERNEL void operator()(Index i) const
     {
-        const SurfaceForce<Precision>& s = surface;
+        const SurfaceForce<Numbers>& s = surface;
         const std::size_t node = std::size_t(s.contactor[i]);
         const Vec3<double> x{double(s.position[node]), double(s.position[s.nodeStride + node]),
                              double(s.position[2 * s.nodeStride + node])};

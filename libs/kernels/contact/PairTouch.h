@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "kernels/contact/RigidSurface.h"
 
 namespace fpm {
@@ -19,7 +19,7 @@ struct Touch {
 /// Normal force of a spring whose energy is known with its tangential force.
 template <class Work>
 FPM_KERNEL double
-normalForceOf(const PairLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
+normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
 {
     if (!(stiffness > 0)) return 0;
     double energy = law.spring[i];
@@ -44,33 +44,33 @@ FPM_KERNEL Vec3<double> inDoubles(const Vec3<Work>& v)
 }
 
 /// Touch of a contactor with faces.
-template <class Precision>
+template <class Numbers>
 struct FaceTouch {
-    using Work = typename Precision::Work;
-    PairView<Precision> pair;
+    using Work = typename Numbers::Work;
+    ContactPassView<Numbers> pass;
 
     FPM_KERNEL bool operator()(Index i, Touch& out) const
     {
-        const PairLaw<Work>& law = pair.law;
-        const Index face = pair.face[i];
+        const PassLaw<Work>& law = pass.law;
+        const Index face = pass.face[i];
         if (face < 0 || !(law.spring[i] > 0)) return false;
-        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
-        const Projection<Work> at = gapAtClosest(corners, pair.xi[i], pair.eta[i]);
-        out.weight = weightOn(unsigned(pair.mirrorsOf(i)));
+        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
+        const Projection<Work> at = gapAtClosest(corners, pass.xi[i], pass.eta[i]);
+        out.weight = weightOn(unsigned(pass.mirrorsOf(i)));
         out.depth = at.gap < 0 ? double(-at.gap) : 0;
-        out.thickness = double(pair.faceThickness[face]);
-        Work stiffness = law.stiffness(i, pair.faceStiffness[face]);
-        if (pair.heldStiffness && pair.heldStiffness[i] > 0) stiffness = pair.heldStiffness[i];
+        out.thickness = double(pass.faceThickness[face]);
+        Work stiffness = law.stiffness(i, pass.faceStiffness[face]);
+        if (pass.heldStiffness && pass.heldStiffness[i] > 0) stiffness = pass.heldStiffness[i];
         if (law.friction.acts()) {
             const Vec3<Work> held = law.storedVector(i);
             out.friction =
                 inDoubles(law.storedFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
             Work n[4];
             shapeFunctions(at.xi, at.eta, n);
-            Vec3<Work> velocity = pair.velocityOf(pair.contactor[i]);
+            Vec3<Work> velocity = pass.velocityOf(pass.contactor[i]);
             for (int k = 0; k < 4; ++k)
                 velocity =
-                    velocity - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
+                    velocity - n[k] * pass.velocityOf(pass.faceNode[4 * std::size_t(face) + k]);
             out.slip = inDoubles(inPlane(velocity, at.normal));
         }
         out.normal = normalForceOf(law, i, double(stiffness), out.friction);
@@ -79,14 +79,14 @@ struct FaceTouch {
 };
 
 /// Touch of a contactor with an analytic surface.
-template <class Precision>
+template <class Numbers>
 struct SurfaceTouch {
-    using Work = typename Precision::Work;
-    SurfaceForce<Precision> surface;
+    using Work = typename Numbers::Work;
+    SurfaceForce<Numbers> surface;
 
     FPM_KERNEL bool operator()(Index i, Touch& out) const
     {
-        const SurfaceForce<Precision>& s = surface;
+        const SurfaceForce<Numbers>& s = surface;
         if (!(s.law.spring[i] > 0)) return false;
         const std::size_t node = std::size_t(s.contactor[i]);
         const double now = s.clock->time, step = s.clock->step;

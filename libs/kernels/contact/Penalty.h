@@ -10,7 +10,7 @@ enum class PenaltySource : std::int32_t { target, lesser, series };
 /// Springs, friction and damping of a pair, the same against faces and against analytic surfaces.
 /// Arrays over contactors; vectors in planes `count` apart.
 template <class Work>
-struct PairLaw {
+struct PassLaw {
     Index count;
     PenaltySource source;
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
@@ -52,23 +52,23 @@ struct PairLaw {
     }
     FPM_KERNEL bool damps() const { return dampingRatio > 0; }
 
-    /// Normal force k |g| plus damping -2 zeta sqrt(k m*) dg/dt, never tensile. `way`: change of
-    /// the gap in this step, which took `step`.
+    /// Normal force k |g| plus damping -2 zeta sqrt(k m*) dg/dt, never tensile. `gapChange`: change
+    /// of the gap in this step, which took `step`.
     FPM_KERNEL Work
-    normalForce(Index i, Work stiffness, Work gap, Work mass, Work way, double step) const
+    normalForce(Index i, Work stiffness, Work gap, Work mass, Work gapChange, double step) const
     {
         const Work elastic = -stiffness * gap;
         if (!damps()) return elastic;
-        const Work rate = step > 0 ? way / Work(step) : Work(0);
+        const Work rate = step > 0 ? gapChange / Work(step) : Work(0);
         Work force = Work(-2) * dampingRatio * squareRoot(stiffness * mass) * rate;
         if (force < -elastic) force = -elastic;
-        bookDamping(i, double(force), way);
+        bookDamping(i, double(force), gapChange);
         return elastic + force;
     }
     /// Mean damping force of the step times its way.
-    FPM_KERNEL void bookDamping(Index i, double force, Work way) const
+    FPM_KERNEL void bookDamping(Index i, double force, Work gapChange) const
     {
-        damped[i] -= 0.5 * (dampingForce[i] + force) * double(way);
+        damped[i] -= 0.5 * (dampingForce[i] + force) * double(gapChange);
         dampingForce[i] = force;
     }
 
@@ -108,11 +108,11 @@ struct PairLaw {
     {
         if (square > 0) dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * k));
     }
-    /// No touch: what the tangential spring still held is lost to friction. `way` as above.
-    FPM_KERNEL void open(Index i, Work k, Work way) const
+    /// No touch: what the tangential spring still held is lost to friction. `gapChange` as above.
+    FPM_KERNEL void open(Index i, Work k, Work gapChange) const
     {
         spring[i] = 0;
-        if (damps()) bookDamping(i, 0, way);
+        if (damps()) bookDamping(i, 0, gapChange);
         if (!friction.acts()) return;
         const Vec3<Work> held = storedVector(i);
         const Work square = dot(held, held);

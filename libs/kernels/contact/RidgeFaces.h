@@ -23,7 +23,7 @@ FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
 /// Whether the nearest points of two faces are two, not one on their common edge: offsets of the
 /// contactor from them.
 template <class Work>
-FPM_KERNEL bool areTwoFeet(const Vec3<Work>& a, const Vec3<Work>& b, Work size)
+FPM_KERNEL bool areDistinctPoints(const Vec3<Work>& a, const Vec3<Work>& b, Work size)
 {
     constexpr Work width = sizeof(Work) == 8 ? Work(1e-13) : Work(1e-6);
     const Vec3<Work> apart = a - b;
@@ -43,11 +43,11 @@ FPM_KERNEL Work squareOfDiagonal(const FaceCorners<Work>& face)
     return dot(diagonal, diagonal);
 }
 
-template <class Precision>
-FPM_KERNEL bool haveEdgeInCommon(const PairView<Precision>& pair, Index a, Index b)
+template <class Numbers>
+FPM_KERNEL bool haveEdgeInCommon(const ContactPassView<Numbers>& pass, Index a, Index b)
 {
     for (int edge = 0; edge < 4; ++edge) {
-        const Index across = pair.neighbour[4 * std::size_t(a) + std::size_t(edge)];
+        const Index across = pass.neighbour[4 * std::size_t(a) + std::size_t(edge)];
         if (across >= 0 && across / 4 == b) return true;
     }
     return false;
@@ -56,9 +56,9 @@ FPM_KERNEL bool haveEdgeInCommon(const PairView<Precision>& pair, Index a, Index
 /// Faces to which a contactor inside a ridge is as near as to `face`, its feet inside all of them:
 /// those around one corner, four at most. The force belongs to all in equal shares, or a symmetric
 /// scene would move to one side.
-template <class Precision>
+template <class Numbers>
 struct RidgeFaces {
-    using Work = typename Precision::Work;
+    using Work = typename Numbers::Work;
     static constexpr int most = 4;
 
     Index face[most]; ///< the first is the one it is tracked on
@@ -68,7 +68,10 @@ struct RidgeFaces {
     int count = 1;
 
     FPM_KERNEL
-    RidgeFaces(const PairView<Precision>& pair, Index i, Index first, const Projection<Work>& at)
+    RidgeFaces(const ContactPassView<Numbers>& pass,
+               Index i,
+               Index first,
+               const Projection<Work>& at)
     {
         face[0] = first;
         xi[0] = at.xi;
@@ -78,8 +81,8 @@ struct RidgeFaces {
         adjacent[0] = true;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
         const Work square = at.gap * at.gap;
-        pair.visitAround(first, corner, [&](Index other) {
-            if (other != first && pair.mayTouch(i, other)) add(pair, i, other, square);
+        pass.visitAround(first, corner, [&](Index other) {
+            if (other != first && pass.mayTouch(i, other)) add(pass, i, other, square);
             return count < most;
         });
     }
@@ -97,22 +100,22 @@ struct RidgeFaces {
     }
 
 private:
-    FPM_KERNEL void add(const PairView<Precision>& pair, Index i, Index other, Work square)
+    FPM_KERNEL void add(const ContactPassView<Numbers>& pass, Index i, Index other, Work square)
     {
-        const FaceCorners<Work> corners = pair.corners(other, pair.contactor[i]);
+        const FaceCorners<Work> corners = pass.corners(other, pass.contactor[i]);
         const FacePoint<Work> point = closestPoint(corners, Work(0), Work(0));
         if (point.where != insideFace || !isAsNear(point.square, square, squareOfDiagonal(corners)))
             return;
         const Projection<Work> at = gapAt(corners, point.xi, point.eta);
-        if (!(at.gap < 0) || looksAway(pair, i, at.normal)) return;
+        if (!(at.gap < 0) || isNotOpposing(pass, i, at.normal)) return;
         for (int k = 0; k < count; ++k)
-            if (!areTwoFeet(offset[k], at.offset, squareOfDiagonal(corners))) return;
+            if (!areDistinctPoints(offset[k], at.offset, squareOfDiagonal(corners))) return;
         face[count] = other;
         xi[count] = point.xi;
         eta[count] = point.eta;
         normal[count] = at.normal;
         offset[count] = at.offset;
-        adjacent[count] = haveEdgeInCommon(pair, face[0], other);
+        adjacent[count] = haveEdgeInCommon(pass, face[0], other);
         ++count;
     }
 };

@@ -30,8 +30,8 @@ struct SurfaceShape {
     FPM_KERNEL Vec3<double> displacement(const double* amplitudeRows, double time) const
     {
         if (!moves) return {0, 0, 0};
-        const double way = travelAt(motion, amplitudeRows, time);
-        return {way * motion.value[0], way * motion.value[1], way * motion.value[2]};
+        const double travel = travelAt(motion, amplitudeRows, time);
+        return {travel * motion.value[0], travel * motion.value[1], travel * motion.value[2]};
     }
 
     /// `x`: position less the displacement of the surface.
@@ -53,18 +53,18 @@ struct SurfaceShape {
 };
 
 /// Penalty and friction force of one contactor against an analytic surface: exact gap and normal,
-/// no faces, no search. Arrays over contactors, as in PairView.
-template <class Precision>
+/// no faces, no search. Arrays over contactors, as in ContactPassView.
+template <class Numbers>
 struct SurfaceForce {
-    using Work = typename Precision::Work;
+    using Work = typename Numbers::Work;
 
     Index contactorCount;
     const Index* contactor;
     const Index* contactNumber; ///< of each node
     double* force;              ///< on the contactor, this step
     double* work;               ///< done by the moving surface, running sum
-    const typename Precision::Position* position;
-    const typename Precision::Motion* velocity;
+    const typename Numbers::Position* position;
+    const typename Numbers::Motion* velocity;
     std::size_t nodeStride;
     ContactSums sums;
     const StepClock* clock;
@@ -72,7 +72,7 @@ struct SurfaceForce {
     double reach;   ///< gap at which a spring counts for the step
     double deepest; ///< no force grows beyond this depth: the sums have a largest value
     SurfaceShape shape;
-    PairLaw<Work> law;
+    PassLaw<Work> law;
 
     FPM_KERNEL void operator()(Index i) const
     {
@@ -89,20 +89,21 @@ struct SurfaceForce {
         const Vec3<double> before = lastForce(i);
         // A contactor out of reach that was open has nothing to tell.
         if (!near && !(law.spring[i] > 0)) return;
-        const Vec3<double> surfaceWay = moved - shape.displacement(amplitudeRows, now - step);
-        const Vec3<double> way =
+        const Vec3<double> surfaceDisplacement =
+            moved - shape.displacement(amplitudeRows, now - step);
+        const Vec3<double> displacement =
             step
                 * Vec3<double>{double(velocity[node]), double(velocity[nodeStride + node]),
                                double(velocity[2 * nodeStride + node])}
-            - surfaceWay;
+            - surfaceDisplacement;
         const Work k = law.stiffness(i, Work(0));
         std::int64_t fixed[3] = {0, 0, 0};
         if (near && at.gap < 0)
-            press(i, at, x, way, k, fixed);
+            applyForces(i, at, x, displacement, k, fixed);
         else
-            law.open(i, k, Work(dot(way, at.normal)));
-        share(i, near, k, fixed);
-        if (shape.moves) work[i] += 0.5 * dot(before + lastForce(i), surfaceWay);
+            law.open(i, k, Work(dot(displacement, at.normal)));
+        distribute(i, near, k, fixed);
+        if (shape.moves) work[i] += 0.5 * dot(before + lastForce(i), surfaceDisplacement);
     }
 
 private:
@@ -111,27 +112,28 @@ private:
         return {force[i], force[contactorCount + i], force[2 * contactorCount + i]};
     }
 
-    FPM_KERNEL void press(Index i,
-                          const SurfacePoint& at,
-                          const Vec3<double>& x,
-                          const Vec3<double>& way,
-                          Work k,
-                          std::int64_t (&fixed)[3]) const
+    FPM_KERNEL void applyForces(Index i,
+                                const SurfacePoint& at,
+                                const Vec3<double>& x,
+                                const Vec3<double>& displacement,
+                                Work k,
+                                std::int64_t (&fixed)[3]) const
     {
         const double step = clock->step;
         const Work gap = Work(at.gap > -deepest ? at.gap : -deepest);
-        const Work pressed =
+        const Work normalForce =
             law.normalForce(i, k, gap, law.damps() ? law.contactorMass[i] : Work(0),
-                            Work(dot(way, at.normal)), step);
+                            Work(dot(displacement, at.normal)), step);
         const Vec3<Work> normal = toWork(at.normal);
-        Vec3<Work> total = pressed * normal, held{0, 0, 0};
+        Vec3<Work> total = normalForce * normal, held{0, 0, 0};
         if (law.friction.acts()) {
             held = law.storedVector(i);
             if (!law.friction.paper) {
-                const SurfacePoint last = shape.at(x - way);
+                const SurfacePoint last = shape.at(x - displacement);
                 if (last.opposite) held = turnedPlane(held, toWork(last.normal), normal);
             }
-            held = law.slide(i, held, toWork(inPlane(way, at.normal)), k, pressed, step);
+            held =
+                law.slide(i, held, toWork(inPlane(displacement, at.normal)), k, normalForce, step);
             total += held;
         }
         law.spring[i] = law.energy(k, gap, held);
@@ -140,7 +142,7 @@ private:
         fixed[2] = sums.scale.force(double(total.z));
     }
 
-    FPM_KERNEL void share(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
+    FPM_KERNEL void distribute(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
     {
         const Index number = contactNumber[contactor[i]];
         if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0) sums.addForce(number, fixed);

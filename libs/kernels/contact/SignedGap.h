@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/contact/ClosestPoint.h"
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 
 namespace fpm {
 
@@ -25,13 +25,13 @@ FPM_KERNEL Work arcCosine(Work cosine)
 
 /// Whether a face with this normal looks the same way as the contactor: surfaces in contact look at
 /// each other. A contactor whose own faces look all ways has no say.
-template <class Precision>
-FPM_KERNEL bool looksAway(const PairView<Precision>& pair,
-                          Index contactor,
-                          const Vec3<typename Precision::Work>& normal)
+template <class Numbers>
+FPM_KERNEL bool isNotOpposing(const ContactPassView<Numbers>& pass,
+                              Index contactor,
+                              const Vec3<typename Numbers::Work>& normal)
 {
-    const auto own = pair.ownNormalOf(contactor);
-    using Work = typename Precision::Work;
+    const auto own = pass.ownNormalOf(contactor);
+    using Work = typename Numbers::Work;
     return dot(own, own) > 0 && !(dot(normal, own) < Work(-0.01));
 }
 
@@ -40,10 +40,10 @@ FPM_KERNEL bool looksAway(const PairView<Precision>& pair,
 /// the contactor is (method of Baerentzen and Aanaes 2005) and the gap is the distance itself, its
 /// normal the line to the closest point: the force is the gradient of k gap^2 / 2 there too. For a
 /// contactor the surface ends at its free edges and where it begins to look away.
-template <class Precision>
+template <class Numbers>
 struct SignedGap {
-    using Work = typename Precision::Work;
-    const PairView<Precision>& pair;
+    using Work = typename Numbers::Work;
+    const ContactPassView<Numbers>& pass;
     Index contactor;
     /// How far a contactor may lie beyond a free edge and still be held: a share of half the
     /// face's width. Wider than rounding and the chords of a round rim.
@@ -51,7 +51,7 @@ struct SignedGap {
 
     FPM_KERNEL FaceCorners<Work> corners(Index face) const
     {
-        return pair.corners(face, pair.contactor[contactor]);
+        return pass.corners(face, pass.contactor[contactor]);
     }
 
     /// `beyond`: the contactor lies off the surface, over a free edge.
@@ -90,7 +90,7 @@ private:
                          Vec3<Work>& pseudo,
                          bool& beyond) const
     {
-        const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(point.where)];
+        const Index across = pass.neighbour[4 * std::size_t(face) + std::size_t(point.where)];
         if (across <= noEdge) return;
         if (across < 0) {
             beyond = trim(here, point.where, pseudo, offset);
@@ -101,7 +101,7 @@ private:
         edgePoint(across & 3, shareAlong(point.where, -point.xi, -point.eta), xi,
                   eta); // the other way round
         const Vec3<Work> normal = gapAt(other, xi, eta).normal;
-        if (looksAway(pair, contactor, normal))
+        if (isNotOpposing(pass, contactor, normal))
             beyond = trim(here, point.where, pseudo, offset);
         else
             pseudo += normal;
@@ -111,23 +111,23 @@ private:
     FPM_KERNEL Vec3<Work> fan(Index face, int corner, Vec3<Work>& offset, bool& beyond) const
     {
         Vec3<Work> sum{0, 0, 0};
-        const Index node = pair.faceNode[4 * std::size_t(face) + std::size_t(corner)];
-        pair.visitAround(face, corner, [&](Index number) {
+        const Index node = pass.faceNode[4 * std::size_t(face) + std::size_t(corner)];
+        pass.visitAround(face, corner, [&](Index number) {
             const FaceCorners<Work> f = corners(number);
             const int c = cornerOf(number, node);
             const Vec3<Work> normal = cornerNormal(f, c);
-            if (number != face && looksAway(pair, contactor, normal)) return true;
+            if (number != face && isNotOpposing(pass, contactor, normal)) return true;
             const Vec3<Work> a = f.corner[(c + 1) & 3] - f.corner[c],
                              b = f.corner[(c + 3) & 3] - f.corner[c];
             const Work sizes = dot(a, a) * dot(b, b);
             if (sizes > 0) sum = multiplyAdd(arcCosine(dot(a, b) / squareRoot(sizes)), normal, sum);
             for (int e = c; e < c + 4; e += 3) {
-                const Index across = pair.neighbour[4 * std::size_t(number) + std::size_t(e & 3)];
+                const Index across = pass.neighbour[4 * std::size_t(number) + std::size_t(e & 3)];
                 const bool ends = across == freeEdge
                                   || (across >= 0 && across / 4 != face
-                                      && looksAway(pair, contactor,
-                                                   cornerNormal(corners(across / 4),
-                                                                cornerOf(across / 4, node))));
+                                      && isNotOpposing(pass, contactor,
+                                                       cornerNormal(corners(across / 4),
+                                                                    cornerOf(across / 4, node))));
                 if (ends) beyond = trim(f, e & 3, normal, offset) || beyond;
             }
             return true;
@@ -137,7 +137,7 @@ private:
 
     FPM_KERNEL int cornerOf(Index face, Index node) const
     {
-        const Index* nodes = pair.faceNode + 4 * std::size_t(face);
+        const Index* nodes = pass.faceNode + 4 * std::size_t(face);
         return nodes[0] == node ? 0 : nodes[1] == node ? 1 : nodes[2] == node ? 2 : 3;
     }
     FPM_KERNEL static Vec3<Work> cornerNormal(const FaceCorners<Work>& f, int c)

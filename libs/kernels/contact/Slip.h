@@ -1,45 +1,45 @@
 #pragma once
 
-#include "kernels/contact/FootFaces.h"
+#include "kernels/contact/ProjectionFaces.h"
 #include "kernels/contact/Tracking.h"
 
 namespace fpm {
 
 /// Measures how far a contactor slips along the target in a step, for friction.
-template <class Precision>
+template <class Numbers>
 struct Slip {
-    using Work = typename Precision::Work;
-    using Faces = FootFaces<Precision>;
-    const PairView<Precision>& pair;
+    using Work = typename Numbers::Work;
+    using Faces = ProjectionFaces<Numbers>;
+    const ContactPassView<Numbers>& pass;
     Index i;
 
     /// Movement of the contactor against the face in this step.
-    FPM_KERNEL Vec3<Work> relativeWay(Index face, const Projection<Work>& at) const
+    FPM_KERNEL Vec3<Work> relativeDisplacement(Index face, const Projection<Work>& at) const
     {
         Work n[4];
         shapeFunctions(at.xi, at.eta, n);
-        Vec3<Work> relative = pair.velocityOf(pair.contactor[i]);
+        Vec3<Work> relative = pass.velocityOf(pass.contactor[i]);
         for (int k = 0; k < 4; ++k)
-            relative = relative - n[k] * pair.velocityOf(pair.faceNode[4 * std::size_t(face) + k]);
-        return Work(pair.clock->step) * relative;
+            relative = relative - n[k] * pass.velocityOf(pass.faceNode[4 * std::size_t(face) + k]);
+        return Work(pass.clock->step) * relative;
     }
     /// Way of the contactor as the target sees it, which turns, since it was at `last`. `corners`:
     /// of its face now; `here`: the faces at its foot. Only its part along the surface is meant.
-    FPM_KERNEL Vec3<Work> way(const Tracked<Work>& now,
-                              const Faces& here,
-                              const FaceCorners<Work>& corners,
-                              const Place<Work>& last) const
+    FPM_KERNEL Vec3<Work> displacement(const Tracked<Work>& now,
+                                       const Faces& here,
+                                       const FaceCorners<Work>& corners,
+                                       const Place<Work>& last) const
     {
         const Projection<Work>& at = now.at;
         const bool stays = last.face == now.face && last.xi == at.xi && last.eta == at.eta,
                    beyond = (isOnBorder(at.xi, at.eta) || isOnBorder(last.xi, last.eta))
                             && isBeyond(at, corners, last, stays ? &here : nullptr);
         if (stays && !beyond) return {0, 0, 0};
-        const Faces there(pair, i, last);
-        Vec3<Work> way{0, 0, 0};
-        if (!stays) way = wayOver(now, here, there, corners, last);
-        if (beyond) way += wayBeyond(at, here, there, corners);
-        return way;
+        const Faces there(pass, i, last);
+        Vec3<Work> displacement{0, 0, 0};
+        if (!stays) displacement = displacementOverFaces(now, here, there, corners, last);
+        if (beyond) displacement += displacementBeyondEdge(at, here, there, corners);
+        return displacement;
     }
 
     /// Where friction and its image cancel: directions out of the planes of symmetry that the
@@ -48,12 +48,12 @@ struct Slip {
     FPM_KERNEL Directions<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
         Directions<Work> out;
-        for (Index k = 0, mirrors = pair.mirrorsOf(i); mirrors >> k; ++k)
-            if (mirrors >> k & 1) out.add(pair.mirror(k), now.at.normal);
+        for (Index k = 0, mirrors = pass.mirrorsOf(i); mirrors >> k; ++k)
+            if (mirrors >> k & 1) out.add(pass.mirror(k), now.at.normal);
         if (!now.ridge && here.count < 2) return out;
-        const Vec3<Work> moved = relativeWay(now.face, now.at);
+        const Vec3<Work> moved = relativeDisplacement(now.face, now.at);
         if (now.ridge)
-            addMidway(RidgeFaces<Precision>(pair, i, now.face, now.at), now, moved, out);
+            addMidway(RidgeFaces<Numbers>(pass, i, now.face, now.at), now, moved, out);
         else
             addMidway(here, now, moved, out);
         return out;
@@ -71,7 +71,7 @@ private:
             for (int j = 0; j < k; ++j) {
                 const Vec3<Work> apart = faces.normal[j] - faces.normal[k];
                 if ((now.ridge || isMidway(now.at.offset, apart)) && staysMidway(moved, apart)
-                    && haveEdgeInCommon(pair, faces.face[j], faces.face[k]))
+                    && haveEdgeInCommon(pass, faces.face[j], faces.face[k]))
                     out.add(apart, now.at.normal);
             }
     }
@@ -99,20 +99,20 @@ private:
     /// it turns by there counts when the foot comes to the edge and half when it leaves. Inside a
     /// ridge, where the other side becomes the nearer one, the foot leaps and the normal with it:
     /// their sum does not.
-    FPM_KERNEL Vec3<Work> wayOver(const Tracked<Work>& now,
-                                  const Faces& here,
-                                  const Faces& there,
-                                  const FaceCorners<Work>& corners,
-                                  const Place<Work>& last) const
+    FPM_KERNEL Vec3<Work> displacementOverFaces(const Tracked<Work>& now,
+                                                const Faces& here,
+                                                const Faces& there,
+                                                const FaceCorners<Work>& corners,
+                                                const Place<Work>& last) const
     {
         const Work xi = now.at.xi, eta = now.at.eta;
-        Vec3<Work> foot;
+        Vec3<Work> moved;
         if (last.face == now.face)
-            foot = slipOnFace(corners, last.xi, last.eta, xi, eta);
+            moved = slipOnFace(corners, last.xi, last.eta, xi, eta);
         else
-            foot = offsetOn(pair.corners(last.face, pair.contactor[i]), last.xi, last.eta)
-                   - offsetOn(corners, xi, eta);
-        return foot + now.at.gap * (here.meanNormal(pair) - there.meanNormal(pair));
+            moved = offsetOn(pass.corners(last.face, pass.contactor[i]), last.xi, last.eta)
+                    - offsetOn(corners, xi, eta);
+        return moved + now.at.gap * (here.meanNormal(pass) - there.meanNormal(pass));
     }
 
     /// Whether a place on a border of a face lies where the surface ends for the contactor.
@@ -125,15 +125,15 @@ private:
     FPM_KERNEL bool endsAt(const Place<Work>& at, int edge, const Faces* known) const
     {
         Place<Work> other;
-        if (!placeAcross(pair, at, edge, other))
-            return pair.neighbour[4 * std::size_t(at.face) + std::size_t(edge)] == freeEdge;
+        if (!placeAcross(pass, at, edge, other))
+            return pass.neighbour[4 * std::size_t(at.face) + std::size_t(edge)] == freeEdge;
         if (known) {
             for (int k = 0; k < known->count; ++k)
                 if (known->face[k] == other.face) return false;
             return known->count < Faces::most;
         }
-        const FaceCorners<Work> corners = pair.corners(other.face, pair.contactor[i]);
-        return looksAway(pair, i, gapAt(corners, other.xi, other.eta).normal);
+        const FaceCorners<Work> corners = pass.corners(other.face, pass.contactor[i]);
+        return isNotOpposing(pass, i, gapAt(corners, other.xi, other.eta).normal);
     }
 
     /// Whether what lies beyond where the surface ends counts, now or one step ago.
@@ -147,10 +147,10 @@ private:
     }
     /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
     /// way that the foot does not make, as seen from the faces there.
-    FPM_KERNEL Vec3<Work> wayBeyond(const Projection<Work>& at,
-                                    const Faces& here,
-                                    const Faces& there,
-                                    const FaceCorners<Work>& corners) const
+    FPM_KERNEL Vec3<Work> displacementBeyondEdge(const Projection<Work>& at,
+                                                 const Faces& here,
+                                                 const Faces& there,
+                                                 const FaceCorners<Work>& corners) const
     {
         const Vec3<Work> offset = offsetOn(corners, at.xi, at.eta);
         Vec3<Work> after{0, 0, 0}, before{0, 0, 0};
@@ -162,13 +162,13 @@ private:
     /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
     FPM_KERNEL Vec3<Work> offsetBefore(const Place<Work>& last) const
     {
-        const FaceCorners<Work> now = pair.corners(last.face, pair.contactor[i]);
+        const FaceCorners<Work> now = pass.corners(last.face, pass.contactor[i]);
         FaceCorners<Work> before = now;
-        const Vec3<Work> own = pair.velocityOf(pair.contactor[i]);
+        const Vec3<Work> own = pass.velocityOf(pass.contactor[i]);
         for (int k = 0; k < 4; ++k) {
-            const Index node = pair.faceNode[4 * std::size_t(last.face) + std::size_t(k)];
+            const Index node = pass.faceNode[4 * std::size_t(last.face) + std::size_t(k)];
             before.corner[k] =
-                before.corner[k] - Work(pair.clock->step) * (pair.velocityOf(node) - own);
+                before.corner[k] - Work(pass.clock->step) * (pass.velocityOf(node) - own);
         }
         Vec3<Work> offset, t1, t2;
         evaluateFace(before, last.xi, last.eta, offset, t1, t2);

@@ -18,28 +18,28 @@ struct Tracked {
 /// Contactors from `first` on, one in each lane of T, projected from where they were: those in
 /// reach of flat surface only that lie over the face they had are tracked by that alone, as most
 /// are.
-template <class Precision, class T>
+template <class Numbers, class T>
 class SteadyContactors
 {
 public:
-    using Work = typename Precision::Work;
+    using Work = typename Numbers::Work;
     static constexpr int lanes = NumberTraits<T>::lanes;
 
-    FPM_KERNEL SteadyContactors(const PairView<Precision>& pair, Index first)
+    FPM_KERNEL SteadyContactors(const ContactPassView<Numbers>& pass, Index first)
     {
         alignas(T) Work corner[12][lanes], start[2][lanes], flat[lanes];
-        if (!areFlat(pair, first, flat)) {
+        if (!areFlat(pass, first, flat)) {
             store(holds_, T(0));
             return;
         }
-        for (int lane = 0; lane < lanes; ++lane) fetch(pair, first, lane, flat, corner, start);
+        for (int lane = 0; lane < lanes; ++lane) fetch(pass, first, lane, flat, corner, start);
         FaceCorners<T> corners;
         for (int k = 0; k < 4; ++k)
-            corners.corner[k] = {load<T>(corner[3 * k]), load<T>(corner[3 * k + 1]),
-                                 load<T>(corner[3 * k + 2])};
-        T xi = load<T>(start[0]), eta = load<T>(start[1]);
+            corners.corner[k] = {read<T>(corner[3 * k]), read<T>(corner[3 * k + 1]),
+                                 read<T>(corner[3 * k + 2])};
+        T xi = read<T>(start[0]), eta = read<T>(start[1]);
         const MaskOf<T> inside =
-            projectWhere(load<T>(flat) > T(0), corners, xi, eta) & isInside(xi, eta);
+            projectWhere(read<T>(flat) > T(0), corners, xi, eta) & isInside(xi, eta);
         if (!NumberTraits<T>::any(inside)) {
             store(holds_, T(0));
             return;
@@ -70,20 +70,20 @@ public:
 private:
     /// Which lanes have a face in reach of flat surface only; whether any has.
     FPM_KERNEL static bool
-    areFlat(const PairView<Precision>& pair, Index first, Work (&flat)[lanes])
+    areFlat(const ContactPassView<Numbers>& pass, Index first, Work (&flat)[lanes])
     {
         bool any = false;
         for (int lane = 0; lane < lanes; ++lane) {
             const Index i = first + lane;
-            const bool here = !pair.cold && i < pair.contactorCount && pair.face[i] >= 0
-                              && pair.around[i] == aroundFlat;
+            const bool here = !pass.cold && i < pass.contactorCount && pass.face[i] >= 0
+                              && pass.around[i] == aroundFlat;
             flat[lane] = Work(here);
             any |= here;
         }
         return any;
     }
     /// Corners of the face of one lane, and where its contactor was on it.
-    FPM_KERNEL static void fetch(const PairView<Precision>& pair,
+    FPM_KERNEL static void fetch(const ContactPassView<Numbers>& pass,
                                  Index first,
                                  int lane,
                                  const Work (&flat)[lanes],
@@ -95,13 +95,13 @@ private:
             for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
             return;
         }
-        const Index i = first + lane, face = pair.face[i];
-        start[0][lane] = pair.xi[i];
-        start[1][lane] = pair.eta[i];
-        const FaceCorners<Work> corners = pair.corners(face, pair.contactor[i]);
+        const Index i = first + lane, face = pass.face[i];
+        start[0][lane] = pass.xi[i];
+        start[1][lane] = pass.eta[i];
+        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
         for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
-            prefetch(pair.sums.values + 4 * pair.contactNumberAt(face, k));
-        prefetch(pair.sums.values + 4 * std::size_t(pair.contactNumber[pair.contactor[i]]));
+            prefetch(pass.sums.values + 4 * pass.contactNumberAt(face, k));
+        prefetch(pass.sums.values + 4 * std::size_t(pass.contactNumber[pass.contactor[i]]));
         for (int k = 0; k < 4; ++k) {
             corner[3 * k][lane] = corners.corner[k].x;
             corner[3 * k + 1][lane] = corners.corner[k].y;
@@ -129,10 +129,10 @@ private:
 /// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
 /// so that the tracker cannot miss what the search would find. With `projection cold` it follows
 /// nothing: it looks at all faces around a corner.
-template <class Precision>
+template <class Numbers>
 struct FaceTracker {
-    using Work = typename Precision::Work;
-    const PairView<Precision>& pair;
+    using Work = typename Numbers::Work;
+    const ContactPassView<Numbers>& pass;
     CellLists cells;
     static constexpr int maxHops = 16;
     /// A square must be smaller by more than rounding to be nearer.
@@ -141,18 +141,18 @@ struct FaceTracker {
     FPM_KERNEL Tracked<Work> follow(Index i) const
     {
         Candidate<Work> here;
-        here.face = pair.face[i];
-        FaceCorners<Work> corners = pair.corners(here.face, pair.contactor[i]);
-        if (pair.cold) {
+        here.face = pass.face[i];
+        FaceCorners<Work> corners = pass.corners(here.face, pass.contactor[i]);
+        if (pass.cold) {
             aroundCorner(i, here, corners);
             return measured(i, here, corners);
         }
-        here.point = closestPoint(corners, pair.xi[i], pair.eta[i]);
+        here.point = closestPoint(corners, pass.xi[i], pass.eta[i]);
         bool ridge = false;
         for (int hop = 0; hop < maxHops && hopped(i, here, corners, ridge); ++hop)
             if (hop == maxHops - 1)
-                pair.around[i] = aroundIntricate; // too far for hops: the cells know
-        if (pair.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
+                pass.around[i] = aroundIntricate; // too far for hops: the cells know
+        if (pass.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
         Tracked<Work> out = measured(i, here, corners);
         out.ridge = ridge && out.at.gap < 0;
         return out;
@@ -163,7 +163,7 @@ private:
     measured(Index i, const Candidate<Work>& here, const FaceCorners<Work>& corners) const
     {
         Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false, false};
-        out.at = SignedGap<Precision>{pair, i}.at(here.face, corners, here.point, out.beyond);
+        out.at = SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, out.beyond);
         return out;
     }
 
@@ -181,7 +181,7 @@ private:
         }
         const Index start = here.face;
         here.point = closestPoint(corners, Work(0), Work(0));
-        pair.visitAround(start, nearest, [&](Index face) {
+        pass.visitAround(start, nearest, [&](Index face) {
             bool ridge = false;
             if (face != start) moved(i, face, here, corners, ridge);
             return true;
@@ -194,22 +194,22 @@ private:
     FPM_KERNEL bool moved(
         Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
-        if (other == here.face || (pair.excludedStart && !pair.mayTouch(i, other))) return false;
-        const FaceCorners<Work> there = pair.corners(other, pair.contactor[i]);
+        if (other == here.face || (pass.excludedStart && !pass.mayTouch(i, other))) return false;
+        const FaceCorners<Work> there = pass.corners(other, pass.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
         bool turnedAway = false;
         if (isAsNear(found.square, here.point.square, size)) {
             const bool inside = found.where == insideFace && here.point.where == insideFace,
-                       apart = areTwoFeet(offsetOn(corners, here.point.xi, here.point.eta),
-                                          offsetOn(there, found.xi, found.eta), size);
+                       apart = areDistinctPoints(offsetOn(corners, here.point.xi, here.point.eta),
+                                                 offsetOn(there, found.xi, found.eta), size);
             ridge = ridge || (inside && apart);
-            turnedAway = !apart && looksAway(pair, i, normalAt(corners, here.point));
+            turnedAway = !apart && isNotOpposing(pass, i, normalAt(corners, here.point));
             // To hop on one point would be rounding.
             if (!turnedAway && (inside || !apart)) return false;
         }
         if (!(turnedAway || found.square < less * here.point.square)
-            || looksAway(pair, i, normalAt(there, found)))
+            || isNotOpposing(pass, i, normalAt(there, found)))
             return false;
         here = {other, found, 0};
         corners = there;
@@ -232,11 +232,11 @@ private:
             // on the same side.
             const int corner = here.point.where - firstCorner;
             for (int edge = corner; edge < corner + 4; edge += 3) {
-                const Index next = pair.neighbour[4 * std::size_t(here.face) + (edge & 3)];
+                const Index next = pass.neighbour[4 * std::size_t(here.face) + (edge & 3)];
                 if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
             }
             bool any = false;
-            pair.visitAround(here.face, corner, [&](Index face) {
+            pass.visitAround(here.face, corner, [&](Index face) {
                 any = moved(i, face, here, corners, ridge);
                 return !any;
             });
@@ -255,7 +255,7 @@ private:
                                  const FaceCorners<Work>& corners,
                                  Index (&across)[2]) const
     {
-        const Index* neighbour = pair.neighbour + 4 * std::size_t(here.face);
+        const Index* neighbour = pass.neighbour + 4 * std::size_t(here.face);
         const FacePoint<Work>& point = here.point;
         if (point.where != insideFace) {
             across[0] = neighbour[point.where] / 4;
@@ -290,12 +290,12 @@ private:
                           bool behind) const
     {
         if (across < 0) return false;
-        const Index* nodes = pair.faceNode + 4 * std::size_t(across / 4);
-        const Index origin = pair.contactor[i];
+        const Index* nodes = pass.faceNode + 4 * std::size_t(across / 4);
+        const Index origin = pass.contactor[i];
         // The far corners of the neighbour seen from the common edge, which it has the other way.
-        const Vec3<Work> a = pair.relative(nodes[(across + 3) & 3], origin)
+        const Vec3<Work> a = pass.relative(nodes[(across + 3) & 3], origin)
                              - corners.corner[(edge + 1) & 3],
-                         b = pair.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];
+                         b = pass.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];
         const Work first = dot(a, normal), second = dot(b, normal);
         const Work bend =
             behind ? (first < second ? -first : -second) : (first > second ? first : second);
@@ -305,17 +305,17 @@ private:
 
     FPM_KERNEL void tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
     {
-        const Index body = pair.componentOf(here.face);
+        const Index body = pass.componentOf(here.face);
         Candidate<Work> best{noFace, {}, 0};
-        cells.forEachFace(pair, pair.contactor[i], [&](Index face) {
+        cells.forEachFace(pass, pass.contactor[i], [&](Index face) {
             Candidate<Work> other;
-            if (face != here.face && pair.componentOf(face) == body
-                && isPartner(pair, i, face, other) && (best.face < 0 || isNearer(other, best)))
+            if (face != here.face && pass.componentOf(face) == body
+                && isPartner(pass, i, face, other) && (best.face < 0 || isNearer(other, best)))
                 best = other;
         });
         if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
         here = best;
-        corners = pair.corners(here.face, pair.contactor[i]);
+        corners = pass.corners(here.face, pass.contactor[i]);
     }
 };
 

@@ -9,7 +9,7 @@ namespace fpm {
 /// incompressible elasticity nor plastic flow locks. No mode is without strain: there is no
 /// hourglass control. Every point turns with its own mid-step spin (Hughes and Winget 1980), the
 /// Jaumann rate, which knows no bottom and top. Bending with one element through the thickness is
-/// too stiff, as for every element of this kind. Stands where ElementPass expects an hourglass
+/// too stiff, as for every element of this kind. Stands where ElementForces expects an hourglass
 /// form.
 struct SelectiveIntegration {
     static constexpr int stateSize = 0, points = 8;
@@ -137,7 +137,7 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
                                    half * (l.y.z + l.z.y), half * (l.z.x + l.x.z)});
 
     ElementState<T> state;
-    points.load(number, state);
+    points.read(number, state);
     const Sym3<T> before = rotated(spin.whole, state.stress);
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};

@@ -19,9 +19,9 @@ constexpr std::size_t bodyScratch()
 }
 
 /// Sums the forces on the nodes of a block about the centre of their body.
-template <class Precision>
+template <class Numbers>
 struct BodyForces {
-    NodePass<Precision> nodes;
+    NodeMotion<Numbers> nodes;
     const BodyBlock* blocks;
     const Index* loaded;       ///< nodes
     const double* inverseMass; ///< of each loaded node, see bodyInverseMass
@@ -115,15 +115,15 @@ private:
 };
 
 /// Puts the nodes of the bodies where their body is; velocities are the way over the step.
-template <class Precision>
+template <class Numbers>
 struct BodyMotion {
     const Index* list; ///< nodes of all bodies
     const Index* bodyOf;
     const double* arm; ///< three planes of `count`, from the centre at the start
     Index count;
     const RigidBody* bodies;
-    typename Precision::Position* position;
-    typename Precision::Motion* velocity;
+    typename Numbers::Position* position;
+    typename Numbers::Motion* velocity;
     std::size_t nodeStride;
     const StepClock* clock;
 
@@ -139,8 +139,8 @@ struct BodyMotion {
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * nodeStride + node;
             const double before = double(position[at]);
-            position[at] = typename Precision::Position(now[c]);
-            velocity[at] = typename Precision::Motion((now[c] - before) / clock->step);
+            position[at] = typename Numbers::Position(now[c]);
+            velocity[at] = typename Numbers::Motion((now[c] - before) / clock->step);
         }
     }
 };

@@ -9,17 +9,17 @@
 namespace fpm {
 
 /// Bits of the array `fixed` beside 0..2 (component held at zero velocity): a rigid body moves the
-/// node; NodePass moves it, not the one patch that it belongs to; every component of its motion is
-/// held or driven, so that no spring can disturb it.
+/// node; NodeMotion moves it, not the one patch that it belongs to; every component of its motion
+/// is held or driven, so that no spring can disturb it.
 inline constexpr std::uint8_t bodyNode = 8, listedNode = 16, imposedNode = 32;
 
-/// Advances nodes of one patch alone, on which nothing acts but its elements: what NodePass does
+/// Advances nodes of one patch alone, on which nothing acts but its elements: what NodeMotion does
 /// for them, to the last bit, but in the patch's kernel, which has them at hand.
-template <class Precision>
+template <class Numbers>
 struct InteriorNodes {
-    using Position = typename Precision::Position;
-    using Motion = typename Precision::Motion;
-    using Work = typename Precision::Work;
+    using Position = typename Numbers::Position;
+    using Motion = typename Numbers::Motion;
+    using Work = typename Numbers::Work;
 
     Position* position; ///< three planes, nodeStride apart
     Motion* velocity;

@@ -22,11 +22,11 @@ constexpr std::size_t relaxationScratch()
 /// Dynamic relaxation (Underwood 1983), before the clock of a step: what the nodes know of the
 /// stiffness that the last step met, and how far they are from equilibrium. Contact counts like
 /// everything else that resists. Held and driven components take no part.
-template <class Precision>
+template <class Numbers>
 struct RelaxationNodes {
-    using Motion = typename Precision::Motion;
+    using Motion = typename Numbers::Motion;
 
-    NodePass<Precision> pass;
+    NodeMotion<Numbers> nodeMotion;
     Motion*
         lastForce;    ///< resultant at the end of the step before, in the node's axes, three planes
     double* blockSum; ///< [block][relaxationSums]
@@ -34,11 +34,12 @@ struct RelaxationNodes {
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
     {
-        if (!pass.clock->mayStep()) return;
+        if (!nodeMotion.clock->mayStep()) return;
         double* values = reinterpret_cast<double*>(team.scratch());
         double* partial = values + relaxationSums * nodeBlock;
         const Index first = block * nodeBlock;
-        const Index count = pass.nodeCount - first < nodeBlock ? pass.nodeCount - first : nodeBlock;
+        const Index count =
+            nodeMotion.nodeCount - first < nodeBlock ? nodeMotion.nodeCount - first : nodeBlock;
         team.forEach(count, [&](Index i) { measure(std::size_t(first + i), values + i); });
         team.barrier();
         blockSums(team, relaxationSums, count, values, nodeBlock, partial);
@@ -50,29 +51,30 @@ struct RelaxationNodes {
 private:
     FPM_KERNEL void measure(std::size_t node, double* out) const
     {
-        const auto internal = pass.internalForce(node), contact = pass.contact(node),
-                   load = pass.load(node, pass.clock->time), motion = pass.velocityOf(node);
+        const auto internal = nodeMotion.internalForce(node), contact = nodeMotion.contact(node),
+                   load = nodeMotion.load(node, nodeMotion.clock->time),
+                   motion = nodeMotion.velocityOf(node);
         const Vec3<double> in{double(internal.x), double(internal.y), double(internal.z)};
         Vec3<double> free{double(load.x) + double(contact.x) - in.x,
                           double(load.y) + double(contact.y) - in.y,
                           double(load.z) + double(contact.z) - in.z},
             speed{double(motion.x), double(motion.y), double(motion.z)};
-        pass.toOwnAxes(node, free);
-        pass.toOwnAxes(node, speed);
+        nodeMotion.toOwnAxes(node, free);
+        nodeMotion.toOwnAxes(node, speed);
         const double resultants[3] = {free.x, free.y, free.z},
                      velocity[3] = {speed.x, speed.y, speed.z};
-        const double inverse = double(pass.inverseMass[node]), step = pass.clock->step;
+        const double inverse = double(nodeMotion.inverseMass[node]), step = nodeMotion.clock->step;
         const double mass = inverse > 0 ? 1 / inverse : 0;
         double sums[relaxationSums] = {};
         sums[relaxationForce] = dot(in, in);
         for (int c = 0; c < 3; ++c) {
-            const std::size_t at = c * pass.nodeStride + node;
-            if (pass.imposed(node, c)) continue;
+            const std::size_t at = c * nodeMotion.nodeStride + node;
+            if (nodeMotion.imposed(node, c)) continue;
             const double resultant = resultants[c], before = double(lastForce[at]);
             lastForce[at] = Motion(resultant);
-            const double v = velocity[c], way = step * v;
-            sums[relaxationWork] += (before - resultant) * way;
-            sums[relaxationInertia] += mass * way * way;
+            const double v = velocity[c], increment = step * v;
+            sums[relaxationWork] += (before - resultant) * increment;
+            sums[relaxationInertia] += mass * increment * increment;
             sums[relaxationResidual] += resultant * resultant;
             sums[relaxationKinetic] += 0.5 * mass * v * v;
         }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.h"
-#include "kernels/particle/NodePass.h"
+#include "kernels/particle/NodeMotion.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
@@ -33,7 +33,7 @@ struct RigidBody {
     double q[4];            ///< unit quaternion, q[3] real
     Wrench contact, outer;  ///< at the time of the positions
     Wrench last;            ///< resultant a step before, for dynamic relaxation alone
-    double work[nodeWorks]; ///< running sums, as NodePass::blockWork
+    double work[nodeWorks]; ///< running sums, as NodeMotion::blockWork
 };
 
 /// Matrix of a unit quaternion.
@@ -159,7 +159,7 @@ FPM_KERNEL BodyEnergy bodyEnergy(const RigidBody& body, double step, double damp
             0.5 * step * (dot(body.outer.force, body.velocity) + dot(body.outer.moment, spin))};
 }
 
-/// One step of a body: kick with the forces of t^n, works as NodePass books them (moment times
+/// One step of a body: kick with the forces of t^n, works as NodeMotion books them (moment times
 /// angular velocity, which makes their sum the change of kinetic energy), then the way.
 struct BodyStep {
     RigidBody* bodies;

@@ -23,9 +23,9 @@ struct StepClock {
     double unrest = 0;   ///< square root of kinetic over stored energy
     double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
-    std::int64_t deletions = 0;                     ///< changes whenever elements are deleted
-    std::int64_t listsLast = std::int64_t(1) << 62; ///< step up to which contact lists last
-    std::int32_t searched = 0;                      ///< 1: at the last look some searched
+    std::int64_t deletions = 0;                           ///< changes whenever elements are deleted
+    std::int64_t listsValidUntil = std::int64_t(1) << 62; ///< step up to which contact lists last
+    std::int32_t searched = 0;                            ///< 1: at the last look some searched
     std::int32_t waits = 0;   ///< 1: for contact lists that the host has to make
     std::int32_t running = 1; ///< 0: `stop` is reached or lists have to be made, nothing moves
     std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
@@ -35,7 +35,7 @@ struct StepClock {
     /// Another step may be made.
     FPM_KERNEL bool mayStep() const
     {
-        return !failed && !settled && time < stop && steps < listsLast;
+        return !failed && !settled && time < stop && steps < listsValidUntil;
     }
 };
 

@@ -18,7 +18,7 @@ T lanes(const BatchCase* cases, const Get& get)
     alignas(64) typename Traits::Scalar values[Traits::lanes];
     for (int lane = 0; lane < Traits::lanes; ++lane)
         values[lane] = typename Traits::Scalar(get(cases[lane]));
-    return Traits::load(values);
+    return Traits::read(values);
 }
 
 template <class T>

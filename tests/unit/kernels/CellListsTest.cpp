@@ -82,7 +82,7 @@ private:
     std::vector<CellEntry> entries_;
 
 public:
-    PairView<DoublePrecision> pair{};
+    ContactPassView<DoublePrecision> pair{};
     CellLists cells;
 };
 

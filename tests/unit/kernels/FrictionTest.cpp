@@ -192,7 +192,7 @@ TEST(Friction, ForceKeepsLengthAndDirectionAcrossAFoldBetweenFaces)
 TEST(Penalty, TakesTheSideAsked)
 {
     const double own[] = {2.0, 0.0};
-    PairLaw<double> pair{};
+    PassLaw<double> pair{};
     EXPECT_EQ(pair.stiffness(0, 3.0), 3);
     pair.contactorStiffness = own;
     EXPECT_EQ(pair.stiffness(0, 3.0), 3);
@@ -219,7 +219,7 @@ TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
     // may pull; it may not, and lets go a little faster.
     for (const double zeta : {0.05, 0.2}) {
         double force = 0, damped = 0;
-        PairLaw<double> pair{};
+        PassLaw<double> pair{};
         pair.dampingRatio = zeta;
         pair.dampingForce = &force;
         pair.damped = &damped;

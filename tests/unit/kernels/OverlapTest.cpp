@@ -10,7 +10,7 @@ struct Resting {
     float overlap;
     double injected[2]{};
     StepClock clock;
-    PairView<DoublePrecision> pair{};
+    ContactPassView<DoublePrecision> pair{};
     double depth;
 
     explicit Resting(double inside) : overlap(notLess(inside)), depth(inside)

@@ -1,4 +1,4 @@
-#include "kernels/particle/PressurePass.h"
+#include "kernels/particle/PressureForces.h"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@ template <class T = double>
 struct Selective {
     struct Store {
         ElementState<T>* state;
-        void load(int point, ElementState<T>& to) const { to = state[point]; }
+        void read(int point, ElementState<T>& to) const { to = state[point]; }
         void store(int point, const ElementState<T>& from, const ElementStep<T>& taken) const
         {
             state[point] = from;

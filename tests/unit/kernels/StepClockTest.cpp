@@ -1,4 +1,4 @@
-#include "kernels/particle/ClockPass.h"
+#include "kernels/particle/StepClockUpdate.h"
 #include "parallel/CpuExecutor.h"
 
 #include <gtest/gtest.h>
@@ -191,8 +191,9 @@ TEST(StepClock, PassTakesTheLeastElementStepAndTheStiffestContact)
     std::vector<double> limits(40, 1.0);
     limits[33] = 25;
     StepClock clock = clockUntil(1e9);
-    const ClockPass pass{steps.data(), 4, limits.data(), 40, {}, &clock};
-    CpuExecutor<64>(1, ClockPass::scratch()).parallelBlocks(1, ClockPass::scratch(), pass);
+    const StepClockUpdate pass{steps.data(), 4, limits.data(), 40, {}, &clock};
+    CpuExecutor<64>(1, StepClockUpdate::scratch())
+        .parallelBlocks(1, StepClockUpdate::scratch(), pass);
     EXPECT_EQ(clock.elementStep, 0.2);
     EXPECT_EQ(clock.contactFrequency, 5);
     EXPECT_EQ(clock.running, 1);
@@ -203,7 +204,8 @@ TEST(StepClock, PassFailsWhenOneElementHasNoNumber)
     std::vector<double> steps(100, 1.0);
     steps[71] = std::numeric_limits<double>::quiet_NaN();
     StepClock clock = clockUntil(1);
-    const ClockPass pass{steps.data(), 100, nullptr, 0, {}, &clock};
-    CpuExecutor<64>(1, ClockPass::scratch()).parallelBlocks(1, ClockPass::scratch(), pass);
+    const StepClockUpdate pass{steps.data(), 100, nullptr, 0, {}, &clock};
+    CpuExecutor<64>(1, StepClockUpdate::scratch())
+        .parallelBlocks(1, StepClockUpdate::scratch(), pass);
     EXPECT_EQ(clock.failed, 1);
 }

@@ -10,7 +10,7 @@ namespace fpm::test {
 using V = Vec3<double>;
 inline constexpr double normalStiffness = 100, tangentialRatio = 0.5, step = 1e-3;
 
-/// As in PairView.
+/// As in ContactPassView.
 struct Faces {
     std::vector<Index> faceNode, nextAround, neighbour;
 };
@@ -28,7 +28,7 @@ struct Setting {
     std::vector<float> faceThickness{};  ///< empty: 10
     std::vector<double> faceMass{};
     double contactorMass = 0, damping = 0;
-    V looks{0, 0, 0}; ///< unit normal of the contactor's own faces; 0: all ways
+    V ownNormal{0, 0, 0}; ///< unit normal of the contactor's own faces; 0: all ways
     std::vector<double> mirrorNormals{};
 };
 
@@ -63,7 +63,7 @@ public:
         law_.contactorMass = &setting_.contactorMass;
         law_.dampingForce = &dampingForce_;
         law_.damped = &damped_;
-        view().setOwnNormal(0, setting_.looks);
+        view().setOwnNormal(0, setting_.ownNormal);
         clock_.step = step;
         press(); // finds the foot
         law_.friction = {friction, friction, 0, tangentialRatio, false};
@@ -112,9 +112,9 @@ public:
     double spring() const { return spring_; }
     bool onBorder() const { return std::abs(xi_) >= 1 || std::abs(eta_) >= 1; }
 
-    PairView<DoublePrecision> view()
+    ContactPassView<DoublePrecision> view()
     {
-        PairView<DoublePrecision> pair{};
+        ContactPassView<DoublePrecision> pair{};
         pair.contactorCount = pair.nodeCount = 1;
         pair.faceCount = Index(setting_.faceStiffness.size());
         pair.contactor = &contactor_;
@@ -161,7 +161,7 @@ private:
     Faces faces_;
     Setting setting_;
     std::vector<Index> contactNumber_;
-    PairLaw<double> law_{};
+    PassLaw<double> law_{};
     StepClock clock_;
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
@@ -171,7 +171,7 @@ private:
     float overlap_ = 0;
     std::int16_t ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
-    std::int64_t counts_[pairCounts]{}, force_[BlockForce::values]{};
+    std::int64_t counts_[passCounts]{}, force_[BlockForce::values]{};
 };
 
 } // namespace fpm::test

@@ -52,8 +52,8 @@ TYPED_TEST(BatchOf, NumbersIsWorkedLaneByLaneWithTheRoundingOfScalars)
 {
     for (int run = 0; run < 200; ++run) {
         const auto x = this->numbers(), y = this->numbers(), z = this->numbers();
-        const auto a = load<TypeParam>(x.value), b = load<TypeParam>(y.value),
-                   c = load<TypeParam>(z.value);
+        const auto a = read<TypeParam>(x.value), b = read<TypeParam>(y.value),
+                   c = read<TypeParam>(z.value);
         this->expectLanes(a + b, [&](int i) { return x.value[i] + y.value[i]; });
         this->expectLanes(a - b, [&](int i) { return x.value[i] - y.value[i]; });
         this->expectLanes(a * b, [&](int i) { return x.value[i] * y.value[i]; });
@@ -110,7 +110,7 @@ TYPED_TEST(BatchOf, NumbersIsConvertedToAndFromAnotherType)
     using Other = std::conditional_t<sizeof(Real) == 8, float, double>;
     alignas(64) Other values[TestFixture::width], back[TestFixture::width];
     for (int lane = 0; lane < this->width; ++lane) values[lane] = Other(0.1) * Other(lane + 1);
-    const auto batch = load<TypeParam>(values);
+    const auto batch = read<TypeParam>(values);
     this->expectLanes(batch, [&](int i) { return Real(values[i]); });
     store(back, batch);
     for (int lane = 0; lane < this->width; ++lane) EXPECT_EQ(back[lane], Other(Real(values[lane])));

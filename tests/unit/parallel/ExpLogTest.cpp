@@ -53,7 +53,7 @@ void expectLanesOfScalars(const Function& function, const std::vector<double>& a
     alignas(64) Real in[width], out[width];
     for (std::size_t i = 0; i + width <= arguments.size(); i += width) {
         for (std::size_t lane = 0; lane < width; ++lane) in[lane] = Real(arguments[i + lane]);
-        store(out, function(load<B>(in)));
+        store(out, function(read<B>(in)));
         for (std::size_t lane = 0; lane < width; ++lane) {
             const Real expected = function(in[lane]);
             ASSERT_EQ(std::memcmp(&out[lane], &expected, sizeof expected), 0) << in[lane];
@@ -123,7 +123,7 @@ TEST(ExpLog, AnyLaneIsSeen)
 {
     alignas(64) const double values[4] = {0, 0, 1, 0};
     using B = Batch<double, 4>;
-    const B lanes = load<B>(values);
+    const B lanes = read<B>(values);
     EXPECT_TRUE(NumberTraits<B>::any(lanes > B(0.5)));
     EXPECT_FALSE(NumberTraits<B>::any(lanes > B(1.5)));
     EXPECT_TRUE(NumberTraits<double>::any(true));

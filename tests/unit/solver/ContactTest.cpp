@@ -100,7 +100,7 @@ TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
         twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                   aluminium(PartKind::elastic, HourglassForm::physical), {0, 0, -4e5}, 0, 2.9);
     const auto solver = startedSolver(model);
-    const double reach = solver->data().pairs[0].reach;
+    const double reach = solver->data().passes[0].reach;
     double least = 1e9;
     while (solver->clock().time < 1.2e-5) {
         const std::int64_t searches = solver->times().searches;

@@ -53,12 +53,12 @@ TEST(Mirror, HalfTheModelErodesAsTheWholeOneDoes)
         const auto whole = startedSolver(punch(false, friction)),
                    half = startedSolver(punch(true, friction));
         double most = 0, apart = 0;
-        for (int look = 0; look < 28; ++look) {
+        for (int sample = 0; sample < 28; ++sample) {
             whole->advance(1, 10);
             half->advance(1, 10);
             ASSERT_FALSE(whole->clock().failed || half->clock().failed);
             ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-6 * whole->clock().time);
-            ASSERT_EQ(2 * deletedIn(*half), deletedIn(*whole)) << "look " << look;
+            ASSERT_EQ(2 * deletedIn(*half), deletedIn(*whole)) << "look " << sample;
             const Point a = whole->pairForce(0).force, b = half->pairForce(0).force;
             most = std::max(most, std::abs(a[2]));
             apart = std::max(apart, std::abs(2 * b[2] - a[2]));

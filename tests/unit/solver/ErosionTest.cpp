@@ -1,6 +1,6 @@
 #include "solver/Erosion.h"
 
-#include "kernels/contact/PairView.h"
+#include "kernels/contact/ContactPassView.h"
 #include "unit/solver/kindScenes.h"
 
 #include <gtest/gtest.h>
@@ -101,12 +101,12 @@ TEST(ErosionSurfaces, OnlyWhatChangedIsTakenAnew)
     Erosion erosion(model);
     std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
     EXPECT_FALSE(erosion.renewContact(data, deleted));
-    const PairData before = data.pairs[0];
+    const ContactPassSetup before = data.passes[0];
     deleted[std::size_t(elementAt(model.mesh, {-0.5, -0.5, -0.25}))] = true;
     EXPECT_TRUE(erosion.renewContact(data, deleted));
     EXPECT_FALSE(erosion.renewContact(data, deleted));
-    const PairRenewal renewal = compared(before, data.pairs[0]);
-    EXPECT_EQ(data.pairs[0].faceThickness.size(), before.faceThickness.size() + 4);
+    const PairRenewal renewal = compared(before, data.passes[0]);
+    EXPECT_EQ(data.passes[0].faceThickness.size(), before.faceThickness.size() + 4);
     EXPECT_EQ(std::ranges::count(renewal.face, -1), 1);
     for (std::size_t i = 0; i < renewal.contactor.size(); ++i)
         EXPECT_EQ(renewal.contactor[i], Index(i));
@@ -114,8 +114,8 @@ TEST(ErosionSurfaces, OnlyWhatChangedIsTakenAnew)
     for (Index e = 0; e < data.elementCount; ++e)
         if (model.mesh.partOf(e) == model.mesh.findPart("plate")) deleted[std::size_t(e)] = true;
     EXPECT_TRUE(erosion.renewContact(data, deleted));
-    EXPECT_TRUE(data.pairs[0].contactor.empty());
-    EXPECT_FALSE(data.pairs[1].contactor.empty());
+    EXPECT_TRUE(data.passes[0].contactor.empty());
+    EXPECT_FALSE(data.passes[1].contactor.empty());
 }
 
 TEST(ErosionSurfaces, PlanesOfSymmetryStay)
@@ -127,15 +127,15 @@ TEST(ErosionSurfaces, PlanesOfSymmetryStay)
                   {true, false, false}));
     model.boundaryConditions.back().mirror = true;
     SolverData data = makeSolverData(model);
-    const auto mirrored = [](const PairData& pair) {
+    const auto mirrored = [](const ContactPassSetup& pair) {
         return std::ranges::count(pair.neighbour, mirrorEdge(0));
     };
-    EXPECT_EQ(mirrored(data.pairs[0]), 6); // of the plate's top
+    EXPECT_EQ(mirrored(data.passes[0]), 6); // of the plate's top
     Erosion erosion(model);
     std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
     deleted[std::size_t(elementAt(model.mesh, {2.5, -0.5, -0.25}))] = true; // on the plane
     EXPECT_TRUE(erosion.renewContact(data, deleted));
-    EXPECT_EQ(mirrored(data.pairs[0]), 6 + 2); // its side is replaced by a floor and two walls
+    EXPECT_EQ(mirrored(data.passes[0]), 6 + 2); // its side is replaced by a floor and two walls
 }
 
 // The stamp goes through the plate, whose elements disappear one after the other, and lands on the
@@ -144,7 +144,7 @@ TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
 {
     const Model model = layers(4e5, 0.3);
     const auto solver = startedSolver(model);
-    const std::size_t faces = solver->data().pairs[0].faceThickness.size();
+    const std::size_t faces = solver->data().passes[0].faceThickness.size();
     double worst = 0, early = 0, late = 0, base = 0;
     const std::vector<Index> stamp = nodesOfPart(model.mesh, "stamp");
     const double start = momentum(*solver, stamp)[2];
@@ -163,7 +163,7 @@ TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
     EXPECT_GT(early, 0);
     EXPECT_GT(late, 0.1 * early); // contact with the plate goes on after the first deletion
     EXPECT_GT(base, 0);
-    EXPECT_NE(solver->data().pairs[0].faceThickness.size(), faces);
+    EXPECT_NE(solver->data().passes[0].faceThickness.size(), faces);
     EXPECT_GT(momentum(*solver, stamp)[2], start);
     EXPECT_LT(worst, 0.01);
     const ElementValues values = solver->elementValues();
@@ -243,13 +243,13 @@ TEST(Erosion, FacesMayBecomeAlike)
                facing(model.mesh, "box", {0, 0, 1}));
     model.control.backend = "serial";
     const auto solver = startedSolver(model);
-    EXPECT_TRUE(solver->data().pairs[0].unequalFaces);
+    EXPECT_TRUE(solver->data().passes[0].unequalFaces);
     solver->advance(1, 2);
     const PairForce before = solver->pairForce(0);
     EXPECT_EQ(before.active, 9);
     solver->advance(9e-5, 1000000);
     ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
-    EXPECT_FALSE(solver->data().pairs[0].unequalFaces);
+    EXPECT_FALSE(solver->data().passes[0].unequalFaces);
     EXPECT_EQ(solver->pairForce(0).active, 9);
     EXPECT_NEAR(solver->pairForce(0).force[2], before.force[2], 1e-9 * before.force[2]);
 }
@@ -330,7 +330,7 @@ TEST(Erosion, GoesOnAgainstAMovingPlane)
     model.control.backend = "serial";
     const auto solver = startedSolver(model);
     const std::size_t rows = solver->data().amplitudeRows.size(),
-                      contactors = solver->data().pairs[0].contactor.size();
+                      contactors = solver->data().passes[0].contactor.size();
     double work = 0;
     for (int call = 0; call < 100 && solver->clock().time < 4e-5; ++call) {
         solver->advance(4e-5, 10);
@@ -343,7 +343,7 @@ TEST(Erosion, GoesOnAgainstAMovingPlane)
     EXPECT_GT(solver->clock().deletions, 0);
     EXPECT_EQ(solver->data().surfaces.size(), 1u);
     EXPECT_EQ(solver->data().amplitudeRows.size(), rows);
-    EXPECT_NE(solver->data().pairs[0].contactor.size(), contactors);
+    EXPECT_NE(solver->data().passes[0].contactor.size(), contactors);
     EXPECT_GT(work, 0);
 }
 

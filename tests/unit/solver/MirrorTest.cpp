@@ -47,7 +47,7 @@ TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
             const auto whole = startedSolver(strike(false, passes, friction)),
                        half = startedSolver(strike(true, passes, friction));
             double most = 0, apart = 0; // a whole spring on half a node: 0.16
-            for (int look = 0; look < 20; ++look) {
+            for (int sample = 0; sample < 20; ++sample) {
                 whole->advance(1, 10);
                 half->advance(1, 10);
                 ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-7 * whole->clock().time);

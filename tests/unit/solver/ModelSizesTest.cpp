@@ -82,11 +82,11 @@ TEST(ModelSizes, AreThoseOfTheLists)
         EXPECT_EQ(4 * sizes.pressureSides, data.pressureSlots.size());
         EXPECT_EQ(sizes.uses, data.uses.size());
         EXPECT_EQ(sizes.contactNodes, data.contactNodes.size());
-        ASSERT_EQ(sizes.passes.size(), data.pairs.size());
-        for (std::size_t pass = 0; pass < data.pairs.size(); ++pass) {
-            EXPECT_EQ(sizes.passes[pass].contactors, data.pairs[pass].contactor.size());
-            EXPECT_EQ(4 * sizes.passes[pass].ownFaces, data.pairs[pass].ownFaces.size());
-            EXPECT_EQ(4 * sizes.passes[pass].faces, data.pairs[pass].faceNode.size());
+        ASSERT_EQ(sizes.passes.size(), data.passes.size());
+        for (std::size_t pass = 0; pass < data.passes.size(); ++pass) {
+            EXPECT_EQ(sizes.passes[pass].contactors, data.passes[pass].contactor.size());
+            EXPECT_EQ(4 * sizes.passes[pass].ownFaces, data.passes[pass].ownFaces.size());
+            EXPECT_EQ(4 * sizes.passes[pass].faces, data.passes[pass].faceNode.size());
         }
     }
 }

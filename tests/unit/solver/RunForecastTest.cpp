@@ -67,9 +67,9 @@ TEST(RunForecast, KnowsTheSizeOfAFrame)
     writeFrame(folder.root(), "0", resultFrame(*solver, model), model.mesh.points.size(),
                model.mesh.hexahedra.size());
     const double file = double(std::filesystem::file_size(folder.root() / "0/fields.vtkhdf"));
-    const double told = forecastOf(model, 1e-7).frameBytes; // in blocks, with the folder's own
-    EXPECT_GT(told, file);
-    EXPECT_LT(told, file + 3 * 4096);
+    const double forecast = forecastOf(model, 1e-7).frameBytes; // in blocks, with the folder's own
+    EXPECT_GT(forecast, file);
+    EXPECT_LT(forecast, file + 3 * 4096);
 }
 
 TEST(RunForecast, WarnsOfFramesThatCostMoreThanSteps)

@@ -134,7 +134,7 @@ TEST(TimeStep, ForcesOfTheStopTimeStayWhenABatchPassesIt)
         solver->advance(k * 3.1e-7, 1000000); // stops anywhere within a batch
         const PairForce pair = solver->pairForce(0);
         const std::vector<Index> nodes =
-            solver->data().pairs[0].contactor; // their nodal contact force is the pair's
+            solver->data().passes[0].contactor; // their nodal contact force is the pair's
         const NodeValues values = solver->nodeValues(nodes);
         double sum = 0;
         for (std::size_t i = 0; i < values.count; ++i) sum += values.at(4, i)[2];

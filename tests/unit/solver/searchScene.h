@@ -16,7 +16,7 @@ namespace fpm::test {
 class SearchScene
 {
 public:
-    using Pair = PairView<DoublePrecision>;
+    using Pair = ContactPassView<DoublePrecision>;
 
     /// One pass from target nodes, faces of them and points to be asked about.
     SearchScene(std::vector<Point> nodes,
@@ -109,8 +109,8 @@ public:
         points_[std::size_t(node)] = to;
         upload();
     }
-    const PairData& data() const { return data_; }
-    std::int64_t count(PairCount which) const { return state_->counts.data()[which]; }
+    const ContactPassSetup& data() const { return data_; }
+    std::int64_t count(PassCount which) const { return state_->counts.data()[which]; }
 
 private:
     Pair view()
@@ -133,8 +133,8 @@ private:
 
     std::vector<Point> points_;
     ContactSearch search_;
-    PairData data_;
-    std::optional<PairState<DoublePrecision, CpuExecutor<64>>> state_;
+    ContactPassSetup data_;
+    std::optional<ContactPassState<DoublePrecision, CpuExecutor<64>>> state_;
     std::vector<double> position_;
 };
 

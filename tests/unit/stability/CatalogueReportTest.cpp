@@ -52,8 +52,8 @@ TEST(Catalogue, IsTheOneInTheDocuments)
             << failure.name << ": run bin/fpmStability -catalogue -to doc";
         const std::string row = document.substr(begin, document.find('\n', begin) - begin);
         EXPECT_NE(row.find(failure.fails), std::string::npos) << row;
-        for (const Way way : {Way::standard, Way::paper})
-            if (const Fate fate = failure.expected[std::size_t(way)]; fate != Fate::none) {
+        for (const ContactVariant variant : {ContactVariant::standard, ContactVariant::paper})
+            if (const Fate fate = failure.expected[std::size_t(variant)]; fate != Fate::none) {
                 EXPECT_NE(row.find(nameOf(fate)), std::string::npos) << row;
             }
         if (failure.expected[0] == Fate::loses) {
@@ -82,25 +82,27 @@ TEST(Catalogue, JudgesByLimitAndWordsAndCatchesWhatBeginsToHold)
 {
     Failure failure{.number = 1, .name = "forged", .limit = 1};
     double value = 0;
-    failure.run = [&](Way) { return Measure{value, "", false}; };
+    failure.run = [&](ContactVariant) { return Measure{value, "", false}; };
     for (const auto& [given, fate] : {std::pair{0.5, Fate::holds},
                                       {1.0, Fate::holds},
                                       {1.5, Fate::loses},
                                       {NAN, Fate::loses}}) {
         value = given;
-        EXPECT_EQ(judge(failure, Way::standard).fate, fate) << given;
+        EXPECT_EQ(judge(failure, ContactVariant::standard).fate, fate) << given;
     }
-    EXPECT_EQ(judge(failure, Way::remedy).fate, Fate::none);
+    EXPECT_EQ(judge(failure, ContactVariant::remedy).fate, Fate::none);
     failure.atLeast = true;
     value = 0.5;
-    EXPECT_EQ(judge(failure, Way::paper).fate, Fate::loses);
+    EXPECT_EQ(judge(failure, ContactVariant::paper).fate, Fate::loses);
 
     failure.words = "no";
-    failure.run = [](Way way) { return Measure{0, "oh no", way == Way::paper}; };
-    EXPECT_EQ(judge(failure, Way::standard).fate, Fate::warned);
-    EXPECT_EQ(judge(failure, Way::paper).fate, Fate::refused);
+    failure.run = [](ContactVariant variant) {
+        return Measure{0, "oh no", variant == ContactVariant::paper};
+    };
+    EXPECT_EQ(judge(failure, ContactVariant::standard).fate, Fate::warned);
+    EXPECT_EQ(judge(failure, ContactVariant::paper).fate, Fate::refused);
     failure.words = "yes";
-    EXPECT_EQ(judge(failure, Way::paper).fate, Fate::loses);
+    EXPECT_EQ(judge(failure, ContactVariant::paper).fate, Fate::loses);
 
     failure.expected = {Fate::loses, Fate::loses, Fate::none};
     CatalogueRow row{&failure, {}};

@@ -37,12 +37,12 @@ constexpr std::size_t elementScratch(std::size_t nodes)
 /// elements, and sums their corner forces per node in ascending element order. Boundary nodes get
 /// one partial sum a patch; the node pass adds those in patch order.
 /// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
-template <class Precision, class Material, class Hourglass>
-struct ElementPass {
-    using Work = typename Precision::Work;
-    using Position = typename Precision::Position;
-    using Motion = typename Precision::Motion;
-    using Sum = typename Precision::Sum;
+template <class Numbers, class Material, class Hourglass>
+struct ElementForces {
+    using Work = typename Numbers::Work;
+    using Position = typename Numbers::Position;
+    using Motion = typename Numbers::Motion;
+    using Sum = typename Numbers::Sum;
 
     const Index* list; ///< patches of this kind
     const PatchHeader* patches;
@@ -51,7 +51,7 @@ struct ElementPass {
     const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
     const std::uint16_t* cornerStarts; ///< element corners around a node: CSR
     const std::uint16_t* slotCorners;  ///< ... corner * 256 + element, ascending element
-    InteriorNodes<Precision> nodes;    ///< all nodes of the model
+    InteriorNodes<Numbers> nodes;      ///< all nodes of the model
     const Work* mass;                  ///< tiles of 1
     const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
     Work* state;           ///< tiles of the part's StateLayout
@@ -62,7 +62,7 @@ struct ElementPass {
     const StepClock* clock;
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
-    bool movesInterior; ///< rather than NodePass
+    bool movesInterior; ///< rather than NodeMotion
 
     /// Of a GPU: with 128 registers a thread two blocks share a multiprocessor. Eight points need
     /// twice as many, and so do doubles.
@@ -84,9 +84,9 @@ struct ElementPass {
             nodes.advance(team, std::size_t(patch.firstNode), patch.interiorCount, *clock);
             team.barrier();
         }
-        loadNodes(team, patch, places);
+        gatherNodes(team, patch, places);
         team.barrier();
-        workElements(team, patch, places, forces, sums);
+        computeElements(team, patch, places, forces, sums);
         team.barrier();
         gatherForces(team, patch, forces);
         const Index count = patch.elementCount;
@@ -125,7 +125,7 @@ private:
     /// Coordinates relative to the patch's first node, and increments: the only place where
     /// positions are read, subtracted in Position and kept in Work.
     template <class Team>
-    FPM_KERNEL void loadNodes(const Team& team, const PatchHeader& patch, Work* places) const
+    FPM_KERNEL void gatherNodes(const Team& team, const PatchHeader& patch, Work* places) const
     {
         const Index first = patch.firstNode, interior = patch.interiorCount;
         const Index* others = boundaryNodes + (patch.firstPartialSum - interior);
@@ -146,11 +146,11 @@ private:
     }
 
     template <class Team>
-    FPM_KERNEL void workElements(const Team& team,
-                                 const PatchHeader& patch,
-                                 const Work* places,
-                                 Work* forces,
-                                 Work* sums) const
+    FPM_KERNEL void computeElements(const Team& team,
+                                    const PatchHeader& patch,
+                                    const Work* places,
+                                    Work* forces,
+                                    Work* sums) const
     {
         using T = typename Team::template Number<Work>;
         const MaterialConstants<Work>& m = materials[patch.material];
@@ -160,10 +160,10 @@ private:
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
             const std::uint16_t* corner = corners + std::size_t(patch.corners) + inTiles(e, 8);
-            loadModes(places, corner, x);
-            loadModes(places + 4 * count, corner, w);
+            gatherModes(places, corner, x);
+            gatherModes(places + 4 * count, corner, w);
             const ElementStep<T> step =
-                updateElement(m, patch, e, x, w, load<T>(mass + tile + e), rate);
+                updateElement(m, patch, e, x, w, read<T>(mass + tile + e), rate);
             storeForces(w, forces + e);
             store(sums + e, step.internal);
             store(sums + patchCapacity + e, step.plastic);
@@ -178,21 +178,21 @@ private:
 
     /// The state of the Gauss points of one batch of elements, where it lies.
     struct PointStates {
-        const ElementPass& pass;
+        const ElementForces& kernel;
         const MaterialConstants<Work>& m;
         const PatchHeader& patch;
         Index e;
 
         template <class T>
-        FPM_KERNEL void load(int point, ElementState<T>& to) const
+        FPM_KERNEL void read(int point, ElementState<T>& to) const
         {
-            pass.loadState(m, to, patch, e, point);
+            kernel.readState(m, to, patch, e, point);
         }
         template <class T>
         FPM_KERNEL void
         store(int point, const ElementState<T>& from, const ElementStep<T>& step) const
         {
-            pass.storeState(m, from, step, patch, e, point);
+            kernel.storeState(m, from, step, patch, e, point);
         }
     };
 
@@ -210,7 +210,7 @@ private:
                                              PointStates{*this, m, patch, e});
         else {
             ElementState<T> element;
-            loadState(m, element, patch, e, 0);
+            readState(m, element, patch, e, 0);
             const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
                 m, x, w, elementMass, rate, strainPoint, element);
             storeState(m, element, step, patch, e, 0);
@@ -219,7 +219,8 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL static void loadModes(const Work* places, const std::uint16_t* corner, Modes<T>& out)
+    FPM_KERNEL static void
+    gatherModes(const Work* places, const std::uint16_t* corner, Modes<T>& out)
     {
         T x[8], y[8], z[8], m[8];
         for (int i = 0; i < 8; ++i) gather<T>(places, corner + i * tileWidth, x[i], y[i], z[i]);
@@ -232,14 +233,14 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL static Sym3<T> loadTensor(const Work* s)
+    FPM_KERNEL static Sym3<T> readTensor(const Work* s)
     {
-        return {load<T>(s),
-                load<T>(s + tileWidth),
-                load<T>(s + 2 * tileWidth),
-                load<T>(s + 3 * tileWidth),
-                load<T>(s + 4 * tileWidth),
-                load<T>(s + 5 * tileWidth)};
+        return {read<T>(s),
+                read<T>(s + tileWidth),
+                read<T>(s + 2 * tileWidth),
+                read<T>(s + 3 * tileWidth),
+                read<T>(s + 4 * tileWidth),
+                read<T>(s + 5 * tileWidth)};
     }
     template <class T>
     FPM_KERNEL static void storeTensor(Work* s, const Sym3<T>& from)
@@ -253,7 +254,7 @@ private:
     }
 
     template <class T>
-    FPM_KERNEL void loadState(const MaterialConstants<Work>& m,
+    FPM_KERNEL void readState(const MaterialConstants<Work>& m,
                               ElementState<T>& to,
                               const PatchHeader& patch,
                               Index e,
@@ -267,25 +268,25 @@ private:
             for (int k = 0; k < layout.size(); ++k)
                 prefetch(first + (layout.size() + k) * tileWidth);
         const Sum* sums = plasticStrain + patch.strains + inTiles(e, layout.sums());
-        to.stress = loadTensor<T>(first + layout.stress(point) * tileWidth);
+        to.stress = readTensor<T>(first + layout.stress(point) * tileWidth);
         to.equivalentPlasticStrain =
-            layout.plastic ? load<T>(sums + point * tileWidth) : T(Work(0));
+            layout.plastic ? read<T>(sums + point * tileWidth) : T(Work(0));
         if constexpr (Material::general) {
             to.backstress =
                 Sym3<T>{T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0)), T(Work(0))};
             to.temperatureRise = T(Work(0));
             if (layout.kinematic)
-                to.backstress = loadTensor<T>(first + layout.backstress(point) * tileWidth);
+                to.backstress = readTensor<T>(first + layout.backstress(point) * tileWidth);
             if (layout.heats)
-                to.temperatureRise = load<T>(sums + layout.temperature(point) * tileWidth);
+                to.temperatureRise = read<T>(sums + layout.temperature(point) * tileWidth);
         }
         if constexpr (mayKeepFloats)
             if (layout.floatHourglass) {
-                loadHourglass(floatForces(patch, layout, e), to.hourglass);
+                readHourglass(floatForces(patch, layout, e), to.hourglass);
                 return;
             }
         if constexpr (Hourglass::stateSize > 0)
-            loadHourglass(first + layout.hourglassForces() * tileWidth, to.hourglass);
+            readHourglass(first + layout.hourglassForces() * tileWidth, to.hourglass);
     }
 
     /// Where the hourglass forces of an element lie as floats.
@@ -296,11 +297,11 @@ private:
                + inFloatTiles(patch.state + inTiles(e, layout.size()), layout.hourglassForces(), 0);
     }
     template <class T, class Stored>
-    FPM_KERNEL static void loadHourglass(const Stored* q, Vec3<T> (&to)[4])
+    FPM_KERNEL static void readHourglass(const Stored* q, Vec3<T> (&to)[4])
     {
         for (int j = 0; j < 4; ++j)
-            to[j] = {load<T>(q + 3 * j * tileWidth), load<T>(q + (3 * j + 1) * tileWidth),
-                     load<T>(q + (3 * j + 2) * tileWidth)};
+            to[j] = {read<T>(q + 3 * j * tileWidth), read<T>(q + (3 * j + 1) * tileWidth),
+                     read<T>(q + (3 * j + 2) * tileWidth)};
     }
     template <class T, class Stored>
     FPM_KERNEL static void storeHourglass(Stored* q, const Vec3<T> (&from)[4])
@@ -331,7 +332,7 @@ private:
             if (layout.heats)
                 accumulate(sums + layout.temperature(point) * tileWidth,
                            massRatio
-                               ? load<T>(massRatio + patch.tile + e) * step.temperatureIncrement
+                               ? read<T>(massRatio + patch.tile + e) * step.temperatureIncrement
                                : step.temperatureIncrement);
         }
         if constexpr (mayKeepFloats)

@@ -6,24 +6,24 @@
 
 namespace fpm {
 
-/// What ContactTravel tells of a block of contact nodes.
-inline constexpr int travelValues = 3;
+/// What ReferenceDisplacement tells of a block of contact nodes.
+inline constexpr int displacementValues = 3;
 
 /// How far the contact nodes have come since their positions were remembered, or a little further,
 /// how fast they are, and how much rounding may have to do with the former: largest square of a
 /// block of nodes. One index = one block; the same in any order. Remembered are the place of the
 /// block's first node and from there the offsets of all as floats, whose rounding is added to the
 /// way: much where a block has nodes of bodies that lie a million element sizes apart.
-template <class Precision>
-struct ContactTravel {
+template <class Numbers>
+struct ReferenceDisplacement {
     Index count;
     const Index* nodes;
-    const typename Precision::Position* position;
-    const typename Precision::Motion* velocity;
+    const typename Numbers::Position* position;
+    const typename Numbers::Motion* velocity;
     std::size_t nodeStride;
-    const double* searchOrigin; ///< [block][3]
-    const float* searchOffset;  ///< three planes of `count`
-    double* travel;             ///< [block][travelValues]: distance, speed, rounding in it, squared
+    const double* referenceOrigin; ///< [block][3]
+    const float* referenceOffset;  ///< three planes of `count`
+    double* travel; ///< [block][displacementValues]: distance, speed, rounding in it, squared
 
     /// Of a double that is kept as a float, and of the subtractions around it.
     static constexpr double rounding = 6e-8;
@@ -31,15 +31,16 @@ struct ContactTravel {
     FPM_KERNEL void operator()(Index block) const
     {
         double distance = 0, speed = 0, most = 0;
-        const Index first = travelBlock * block,
-                    last = first + travelBlock < count ? first + travelBlock : count;
+        const Index first = displacementBlock * block,
+                    last = first + displacementBlock < count ? first + displacementBlock : count;
         for (Index i = first; i < last; ++i) {
             double d2 = 0, v2 = 0, r2 = 0;
             for (int c = 0; c < 3; ++c) {
                 const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
-                const double offset = double(searchOffset[c * std::size_t(count) + i]),
-                             way = double(position[at]) - searchOrigin[3 * block + c] - offset,
-                             r = rounding * magnitude(offset), d = magnitude(way) + r;
+                const double offset = double(referenceOffset[c * std::size_t(count) + i]),
+                             displacement =
+                                 double(position[at]) - referenceOrigin[3 * block + c] - offset,
+                             r = rounding * magnitude(offset), d = magnitude(displacement) + r;
                 const double v = double(velocity[at]);
                 d2 += d * d;
                 v2 += v * v;
@@ -49,7 +50,7 @@ struct ContactTravel {
             speed = v2 > speed ? v2 : speed;
             most = r2 > most ? r2 : most;
         }
-        double* out = travel + travelValues * std::size_t(block);
+        double* out = travel + displacementValues * std::size_t(block);
         out[0] = distance;
         out[1] = speed;
         out[2] = most;
@@ -57,25 +58,25 @@ struct ContactTravel {
 };
 
 /// Remembers where the contact nodes were at a search, where the last look found one due.
-template <class Precision>
-struct RememberPositions {
+template <class Numbers>
+struct StoreReferencePositions {
     Index count;
     const Index* nodes;
-    const typename Precision::Position* position;
+    const typename Numbers::Position* position;
     std::size_t nodeStride;
-    double* searchOrigin;
-    float* searchOffset;
+    double* referenceOrigin;
+    float* referenceOffset;
     const StepClock* clock; ///< null: whatever it found
 
     FPM_KERNEL void operator()(Index i) const
     {
         if (clock && !clock->searched) return;
-        const Index block = i / travelBlock, first = travelBlock * block;
+        const Index block = i / displacementBlock, first = displacementBlock * block;
         for (int c = 0; c < 3; ++c) {
-            const typename Precision::Position* plane = position + c * nodeStride;
+            const typename Numbers::Position* plane = position + c * nodeStride;
             const double origin = double(plane[nodes[first]]);
-            searchOffset[c * std::size_t(count) + i] = float(double(plane[nodes[i]]) - origin);
-            if (i == first) searchOrigin[3 * block + c] = origin;
+            referenceOffset[c * std::size_t(count) + i] = float(double(plane[nodes[i]]) - origin);
+            if (i == first) referenceOrigin[3 * block + c] = origin;
         }
     }
 };

@@ -66,13 +66,13 @@ FPM_KERNEL int edgeAtEta(Work eta)
 }
 
 /// A place on an edge as the face across it has it, where there is one.
-template <class Precision>
-FPM_KERNEL bool placeAcross(const PairView<Precision>& pair,
-                            const Place<typename Precision::Work>& place,
+template <class Numbers>
+FPM_KERNEL bool placeAcross(const ContactPassView<Numbers>& pass,
+                            const Place<typename Numbers::Work>& place,
                             int edge,
-                            Place<typename Precision::Work>& out)
+                            Place<typename Numbers::Work>& out)
 {
-    const Index across = pair.neighbour[4 * std::size_t(place.face) + std::size_t(edge)];
+    const Index across = pass.neighbour[4 * std::size_t(place.face) + std::size_t(edge)];
     if (across < 0) return false;
     out.face = across / 4;
     edgePoint(across & 3, shareAlong(edge, -place.xi, -place.eta), out.xi,
@@ -82,40 +82,42 @@ FPM_KERNEL bool placeAcross(const PairView<Precision>& pair,
 
 /// The others of the faces that have a place on the border of one in common: across an edge, around
 /// a corner.
-template <class Precision>
-struct AroundFoot {
-    using Work = typename Precision::Work;
-    const PairView<Precision>& pair;
+template <class Numbers>
+struct FacesAroundProjection {
+    using Work = typename Numbers::Work;
+    const ContactPassView<Numbers>& pass;
     Index i; ///< contactor
 
     /// visit(place, normal there) for those that do not look away, until it says false.
     template <class Visit>
-    FPM_KERNEL void forEach(const Place<Work>& foot, const Visit& visit) const
+    FPM_KERNEL void forEach(const Place<Work>& projection, const Visit& visit) const
     {
-        const bool onXi = isOnBorder(foot.xi), onEta = isOnBorder(foot.eta);
+        const bool onXi = isOnBorder(projection.xi), onEta = isOnBorder(projection.eta);
         if (onXi && onEta)
-            visitCorner(foot, visit);
+            visitCorner(projection, visit);
         else if (onXi || onEta)
-            visitEdge(foot, onXi ? edgeAtXi(foot.xi) : edgeAtEta(foot.eta), visit);
+            visitEdge(projection, onXi ? edgeAtXi(projection.xi) : edgeAtEta(projection.eta),
+                      visit);
     }
 
 private:
     template <class Visit>
-    FPM_KERNEL void visitEdge(const Place<Work>& foot, int edge, const Visit& visit) const
+    FPM_KERNEL void visitEdge(const Place<Work>& projection, int edge, const Visit& visit) const
     {
         Place<Work> other;
-        if (placeAcross(pair, foot, edge, other)) visitPlace(other, visit);
+        if (placeAcross(pass, projection, edge, other)) visitPlace(other, visit);
     }
     template <class Visit>
-    FPM_KERNEL void visitCorner(const Place<Work>& foot, const Visit& visit) const
+    FPM_KERNEL void visitCorner(const Place<Work>& projection, const Visit& visit) const
     {
-        const int corner = foot.xi > 0 ? (foot.eta > 0 ? 2 : 1) : (foot.eta > 0 ? 3 : 0);
-        const Index node = pair.faceNode[4 * std::size_t(foot.face) + std::size_t(corner)];
-        pair.visitAround(foot.face, corner, [&](Index other) {
-            const Index* nodes = pair.faceNode + 4 * std::size_t(other);
+        const int corner =
+            projection.xi > 0 ? (projection.eta > 0 ? 2 : 1) : (projection.eta > 0 ? 3 : 0);
+        const Index node = pass.faceNode[4 * std::size_t(projection.face) + std::size_t(corner)];
+        pass.visitAround(projection.face, corner, [&](Index other) {
+            const Index* nodes = pass.faceNode + 4 * std::size_t(other);
             int c = 0;
             while (c < 3 && nodes[c] != node) ++c;
-            return other == foot.face
+            return other == projection.face
                    || visitPlace({other, Work(c == 1 || c == 2 ? 1 : -1), Work(c > 1 ? 1 : -1)},
                                  visit);
         });
@@ -124,8 +126,8 @@ private:
     FPM_KERNEL bool visitPlace(const Place<Work>& place, const Visit& visit) const
     {
         const Vec3<Work> normal =
-            gapAt(pair.corners(place.face, pair.contactor[i]), place.xi, place.eta).normal;
-        return looksAway(pair, i, normal) || visit(place, normal);
+            gapAt(pass.corners(place.face, pass.contactor[i]), place.xi, place.eta).normal;
+        return isNotOpposing(pass, i, normal) || visit(place, normal);
     }
 };
 
@@ -133,9 +135,9 @@ private:
 /// both at an edge, all around a corner, those that look away left out. The first is the one it is
 /// tracked on, which of them that is must not matter: one that looks away only where all of them
 /// do.
-template <class Precision>
-struct FootFaces {
-    using Work = typename Precision::Work;
+template <class Numbers>
+struct ProjectionFaces {
+    using Work = typename Numbers::Work;
     static constexpr int most = 8;
 
     Index face[most];
@@ -143,32 +145,36 @@ struct FootFaces {
     Vec3<Work> normal[most]; ///< at the foot, on the face as it lies now
     int count = 0;
 
-    FPM_KERNEL FootFaces() {} ///< none
+    FPM_KERNEL ProjectionFaces() {} ///< none
 
-    FPM_KERNEL FootFaces(const PairView<Precision>& pair, Index i, const Place<Work>& foot)
+    FPM_KERNEL
+    ProjectionFaces(const ContactPassView<Numbers>& pass, Index i, const Place<Work>& projection)
     {
-        addAll(pair, i, foot);
+        addAll(pass, i, projection);
     }
     /// At the foot of a projection; inside a face its normal is that of the face.
     FPM_KERNEL
-    FootFaces(const PairView<Precision>& pair, Index i, Index first, const Projection<Work>& at)
+    ProjectionFaces(const ContactPassView<Numbers>& pass,
+                    Index i,
+                    Index first,
+                    const Projection<Work>& at)
     {
         if (isOnBorder(at.xi, at.eta))
-            addAll(pair, i, {first, at.xi, at.eta});
+            addAll(pass, i, {first, at.xi, at.eta});
         else
             add({first, at.xi, at.eta}, at.normal);
     }
 
     /// Mean of the normals of all of them and, on planes of symmetry, of their images: what lies in
     /// all of these planes, which need not be normal to each other.
-    FPM_KERNEL Vec3<Work> meanNormal(const PairView<Precision>& pair) const
+    FPM_KERNEL Vec3<Work> meanNormal(const ContactPassView<Numbers>& pass) const
     {
         Vec3<Work> mean = normal[0];
         for (int k = 1; k < count; ++k) mean += normal[k];
         Directions<Work> cancelled;
         for (int k = 0; k < count; ++k) {
-            if (isOnBorder(xi[k])) addMirror(pair, face[k], edgeAtXi(xi[k]), cancelled);
-            if (isOnBorder(eta[k])) addMirror(pair, face[k], edgeAtEta(eta[k]), cancelled);
+            if (isOnBorder(xi[k])) addMirror(pass, face[k], edgeAtXi(xi[k]), cancelled);
+            if (isOnBorder(eta[k])) addMirror(pass, face[k], edgeAtEta(eta[k]), cancelled);
         }
         return cancelled.without((Work(1) / Work(count)) * mean);
     }
@@ -177,20 +183,23 @@ struct FootFaces {
 
 private:
     FPM_KERNEL static void
-    addMirror(const PairView<Precision>& pair, Index face, int edge, Directions<Work>& to)
+    addMirror(const ContactPassView<Numbers>& pass, Index face, int edge, Directions<Work>& to)
     {
-        const Index across = pair.neighbour[4 * std::size_t(face) + std::size_t(edge)];
-        if (across < noEdge) to.add(pair.mirror(mirrorEdge(across)));
+        const Index across = pass.neighbour[4 * std::size_t(face) + std::size_t(edge)];
+        if (across < noEdge) to.add(pass.mirror(mirrorEdge(across)));
     }
-    FPM_KERNEL void addAll(const PairView<Precision>& pair, Index i, const Place<Work>& foot)
+    FPM_KERNEL void
+    addAll(const ContactPassView<Numbers>& pass, Index i, const Place<Work>& projection)
     {
-        add(foot, gapAt(pair.corners(foot.face, pair.contactor[i]), foot.xi, foot.eta).normal);
-        AroundFoot<Precision>{pair, i}.forEach(
-            foot, [&](const Place<Work>& other, const Vec3<Work>& there) {
+        add(projection,
+            gapAt(pass.corners(projection.face, pass.contactor[i]), projection.xi, projection.eta)
+                .normal);
+        FacesAroundProjection<Numbers>{pass, i}.forEach(
+            projection, [&](const Place<Work>& other, const Vec3<Work>& there) {
                 add(other, there);
                 return count < most;
             });
-        if (count > 1 && looksAway(pair, i, normal[0])) leaveOut(0);
+        if (count > 1 && isNotOpposing(pass, i, normal[0])) leaveOut(0);
     }
     FPM_KERNEL void leaveOut(int k)
     {

@@ -25,15 +25,15 @@ FPM_KERNEL void pressureOnFace(const Vec3<Real> (&x)[4], Real pressure, Vec3<Rea
 }
 
 /// Pressures on faces at the clock's time, each corner force into a slot of its own.
-template <class Precision>
-struct PressurePass {
-    using Motion = typename Precision::Motion;
+template <class Numbers>
+struct PressureForces {
+    using Motion = typename Numbers::Motion;
 
     const Index* faceNode;      ///< [4 * face + corner]
     const Index* faceCondition; ///< -1: none any more
     const Condition* conditions;
     const double* amplitudeRows;
-    const typename Precision::Position* position;
+    const typename Numbers::Position* position;
     std::size_t nodeStride;
     Motion* slotForce; ///< three planes, slotStride apart; slot = 4 * face + corner
     std::size_t slotStride;

@@ -5,8 +5,8 @@
 
 namespace fpm {
 
-/// What a pass holds and has lost, over its contactors. Order of the sums in PairSums::blockSum.
-enum PairSum {
+/// What a pass holds and has lost, over its contactors. Order of the sums in PassSums::blockSum.
+enum PassSum {
     sumSpring,
     sumTouching, ///< contactors in touch
     sumDissipated,
@@ -14,11 +14,11 @@ enum PairSum {
     sumSurfaceWork,
     sumInjected,
     sumForce, ///< of the contactors: x y z
-    pairSums = sumForce + 3
+    passSums = sumForce + 3
 };
 
 /// Adds up what is kept a contactor; one block = BlockForce's contactors.
-struct PairSums {
+struct PassSums {
     static constexpr Index block = 256;
 
     Index count;
@@ -26,25 +26,25 @@ struct PairSums {
     const double* surfaceForce;     ///< of an analytic surface, three planes; null:
     const std::int64_t* blockForce; ///< of faces, see BlockForce
     ForceScale scale;
-    double* blockSum; ///< [block][pairSums]
+    double* blockSum; ///< [block][passSums]
 
     static constexpr std::size_t scratch()
     {
-        return pairSums * block * sizeof(double) + blockSumScratch(pairSums);
+        return passSums * block * sizeof(double) + blockSumScratch(passSums);
     }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         double* values = reinterpret_cast<double*>(team.scratch());
-        double* partial = values + pairSums * block;
+        double* partial = values + passSums * block;
         const Index first = number * block, size = count - first < block ? count - first : block;
         team.forEach(size, [&](Index i) { fetch(std::size_t(first + i), values + i); });
         team.barrier();
-        blockSums(team, pairSums, size, values, block, partial);
+        blockSums(team, passSums, size, values, block, partial);
         team.barrier();
-        double* out = blockSum + std::size_t(number) * pairSums;
-        team.forEach(pairSums, [&](Index k) {
+        double* out = blockSum + std::size_t(number) * passSums;
+        team.forEach(passSums, [&](Index k) {
             out[k] = k >= sumForce && blockForce ? forceOf(number, k - sumForce)
                                                  : blockSumResult(partial, k);
         });

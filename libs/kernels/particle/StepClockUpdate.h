@@ -6,7 +6,7 @@
 namespace fpm {
 
 /// Smallest element step and largest contact frequency of all blocks, then the next step. One team.
-struct ClockPass {
+struct StepClockUpdate {
     const double* patchStep;
     Index patchCount;
     const double* contactLimit;

@@ -26,7 +26,7 @@ void expectEqual(const OneContactor& a, const OneContactor& b)
         EXPECT_LT(size(a.force(i) - b.force(i)), 1e-9) << "node " << i;
 }
 
-TEST(FootFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
+TEST(ProjectionFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
 {
     for (const double mu : {0.0, 0.3}) {
         const Setting setting{.faceStiffness = {60, 140}};
@@ -38,7 +38,7 @@ TEST(FootFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
     }
 }
 
-TEST(FootFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
+TEST(ProjectionFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
 {
     const Setting setting{.faceThickness = {0.3f, 3}}, thin{.faceThickness = {0.3f, 0.4f}};
     OneContactor a(0.3, valley(), 0, twoFaces(), setting), b(0.3, valley(), 1, twoFaces(), setting);
@@ -47,7 +47,7 @@ TEST(FootFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
         EXPECT_EQ(OneContactor(0.3, valley(), face, twoFaces(), thin).face(), releasedFace);
 }
 
-TEST(FootFaces, ContactDampingHasTheLeastMassOfAllOfThem)
+TEST(ProjectionFaces, ContactDampingHasTheLeastMassOfAllOfThem)
 {
     const std::vector<V> in{{0, 0, -1e-3}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
                             {0, 0, 0},     {0, 0, 0}, {0, 0, 0}};
@@ -66,12 +66,12 @@ TEST(FootFaces, ContactDampingHasTheLeastMassOfAllOfThem)
 }
 
 /// Face 0 looks away from the contactor, which looks at face 1.
-TEST(FootFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
+TEST(ProjectionFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
 {
-    const V looks{std::sin(1.4), 0, -std::cos(1.4)};
+    const V ownNormal{std::sin(1.4), 0, -std::cos(1.4)};
     for (const double mu : {0.0, 0.3}) {
-        OneContactor a(mu, valley(), 0, twoFaces(), {.looks = looks}),
-            b(mu, valley(), 1, twoFaces(), {.looks = looks});
+        OneContactor a(mu, valley(), 0, twoFaces(), {.ownNormal = ownNormal}),
+            b(mu, valley(), 1, twoFaces(), {.ownNormal = ownNormal});
         ASSERT_TRUE(a.onBorder() && b.onBorder());
         EXPECT_EQ(a.face(), 1);
         EXPECT_EQ(b.face(), 1);
@@ -80,12 +80,13 @@ TEST(FootFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
 }
 
 /// Nor where the contactor was before the tracker left it.
-TEST(FootFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
+TEST(ProjectionFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
 {
-    OneContactor pair(0.3, valley(), 1, twoFaces(), {.looks = {std::sin(1.4), 0, -std::cos(1.4)}});
+    OneContactor pair(0.3, valley(), 1, twoFaces(),
+                      {.ownNormal = {std::sin(1.4), 0, -std::cos(1.4)}});
     const auto view = pair.view();
     for (const Place<double>& last : {Place<double>{0, 1, -0.2}, Place<double>{1, -1, -0.2}}) {
-        const FootFaces<DoublePrecision> there(view, 0, last);
+        const ProjectionFaces<DoublePrecision> there(view, 0, last);
         ASSERT_EQ(there.count, 1);
         EXPECT_EQ(there.face[0], 1);
         EXPECT_EQ(there.xi[0], -1);
@@ -94,13 +95,13 @@ TEST(FootFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
 
 /// To a contactor the surface ends where the next face looks away as it does where there is none:
 /// the way beyond counts both ways.
-TEST(FootFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
+TEST(ProjectionFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
 {
     // Face 1 hangs down from the edge x = 2 and a little back.
     const std::vector<V> nodes{{1.9, 0.8, -0.3}, {0, 0, 0}, {2, 0, 0},   {1.9, 0, -2},
                                {0, 2, 0},        {2, 2, 0}, {1.9, 2, -2}};
     const Faces alone{{1, 2, 5, 4}, {0, 1, 2, 3}, {freeEdge, freeEdge, freeEdge, freeEdge}};
-    const Setting setting{.looks = {0, 0, -1}};
+    const Setting setting{.ownNormal = {0, 0, -1}};
     OneContactor turns(10, nodes, 0, twoFaces(), setting), ends(10, nodes, 0, alone, setting);
     std::vector<V> way(nodes.size(), V{0, 0, 0});
     for (const double sign : {1.0, -1.0}) {
@@ -118,7 +119,7 @@ TEST(FootFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
 
 /// The corner of a pyramid on two planes of symmetry 60 degrees apart: its image all around has the
 /// mean normal of the axis in which they meet.
-TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
+TEST(ProjectionFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
 {
     const double angle = std::numbers::pi / 3, c = std::cos(angle), s = std::sin(angle);
     for (const double tilt : {-0.3, 0.2}) {
@@ -129,7 +130,7 @@ TEST(FootFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
         OneContactor pair(0.3, nodes, 0, one, {.mirrorNormals = {0, -1, 0, -s, c, 0}});
         const auto view = pair.view();
         const V mean =
-            FootFaces<DoublePrecision>(view, 0, Place<double>{0, -1, -1}).meanNormal(view);
+            ProjectionFaces<DoublePrecision>(view, 0, Place<double>{0, -1, -1}).meanNormal(view);
         EXPECT_NEAR(mean.x, 0, 1e-12);
         EXPECT_NEAR(mean.y, 0, 1e-12);
         EXPECT_GT(mean.z, 0.5);

@@ -24,14 +24,14 @@ FPM_KERNEL constexpr Index mirrorEdge(Index k)
 }
 
 /// Counts of a pair: what happened to contactors that a user ought to know.
-enum PairCount {
+enum PassCount {
     countReleased, ///< let go: deeper than the target is thick
     countOverEdge, ///< left the target over a free edge while in touch
     countInside,   ///< found by a search inside the target, their depth forgiven
     countMistaken, ///< found by a search to have followed a face not the nearest, by 1 %
     countCrowded,  ///< searches that found more bodies in reach of a contactor than it has slots
     countLate,     ///< looks that found lists used for longer than they lasted
-    pairCounts
+    passCounts
 };
 
 /// What is in reach of a contactor. Flat: faces that differ by a degree at most, the one above
@@ -56,11 +56,11 @@ FPM_KERNEL float notLess(Work value)
 
 /// One contact pair on the device: contactor nodes against quadrilateral target faces. Arrays over
 /// contactors and faces. Where a node may touch several bodies at once it is several contactors.
-template <class Precision>
-struct PairView {
-    using Position = typename Precision::Position;
-    using Motion = typename Precision::Motion;
-    using Work = typename Precision::Work;
+template <class Numbers>
+struct ContactPassView {
+    using Position = typename Numbers::Position;
+    using Motion = typename Numbers::Motion;
+    using Work = typename Numbers::Work;
 
     Index contactorCount, faceCount, targetCount;
     Index nodeCount; ///< contactors without repetition: contactor i has the node of i % nodeCount
@@ -97,7 +97,7 @@ struct PairView {
     std::uint8_t* around;         ///< what the last search found around it, as Around
     std::int64_t* force;          ///< on each block of contactors this step, see BlockForce
     std::int64_t* contactorForce; ///< on each contactor, where elements may be deleted, or null
-    std::int64_t* counts;         ///< as PairCount
+    std::int64_t* counts;         ///< as PassCount
     float* overlap;      ///< depth at which it was found, of which forgivenShare makes no force
     Work* heldStiffness; ///< k_n with which a contactor's spring closed; null: all faces have one
     double* injected;    ///< work of overlaps that fade with time; null: they do not; second half:
@@ -112,7 +112,7 @@ struct PairView {
 
     Work reach; ///< distance at which a face is tracked
     bool cold;  ///< projected at each step from the middle of all faces around, not tracked
-    PairLaw<Work> law;
+    PassLaw<Work> law;
 
     FPM_KERNEL Vec3<Work> relative(Index node, Index origin) const
     {

@@ -1,4 +1,4 @@
-#include "kernels/contact/Travel.h"
+#include "kernels/contact/ReferenceDisplacement.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ public:
         for (double& x : position_) x = place + width(random_);
         start_ = position_;
         for (Index i = 0; i < Index(count); ++i)
-            RememberPositions<DoublePrecision>{Index(count), nodes_.data(), position_.data(), count,
-                                               origin_,      offset_,       nullptr}(i);
+            StoreReferencePositions<DoublePrecision>{
+                Index(count), nodes_.data(), position_.data(), count, origin_, offset_, nullptr}(i);
     }
     void move(double most)
     {
@@ -30,7 +30,7 @@ public:
     double trueTravel(std::size_t block) const
     {
         double most = 0;
-        for (std::size_t i = block * travelBlock; i < (block + 1) * travelBlock; ++i)
+        for (std::size_t i = block * displacementBlock; i < (block + 1) * displacementBlock; ++i)
             most = std::max(most, std::hypot(position_[i] - start_[i],
                                              position_[count + i] - start_[count + i],
                                              position_[2 * count + i] - start_[2 * count + i]));
@@ -38,15 +38,15 @@ public:
     }
     double travel(Index block)
     {
-        double out[2 * travelValues];
-        ContactTravel<DoublePrecision>{
+        double out[2 * displacementValues];
+        ReferenceDisplacement<DoublePrecision>{
             Index(count), nodes_.data(), position_.data(), velocity_.data(),
             count,        origin_,       offset_,          out}(block);
-        return std::sqrt(out[travelValues * block]);
+        return std::sqrt(out[displacementValues * block]);
     }
 
 private:
-    static constexpr std::size_t count = 2 * travelBlock;
+    static constexpr std::size_t count = 2 * displacementBlock;
     std::mt19937 random_{3};
     std::uniform_real_distribution<double> width{-1, 1};
     std::vector<Index> nodes_;
@@ -55,7 +55,7 @@ private:
     float offset_[3 * count];
 };
 
-TEST(ContactTravel, AWayIsNeverToldShorterAndWhereverItIsHardlyLonger)
+TEST(ReferenceDisplacement, AWayIsNeverToldShorterAndWhereverItIsHardlyLonger)
 {
     for (const double place : {0.0, 1e4})
         for (const double way : {0.0, 1e-9, 1e-3, 1.0}) {

@@ -11,7 +11,7 @@ namespace fpm {
 inline constexpr Index nodeBlock = 256;
 
 /// Works done on the nodes, trapezoidal in time: half with the increment that led to the positions
-/// (known now), half with the next one. Order of the sums in NodePass::blockWork.
+/// (known now), half with the next one. Order of the sums in NodeMotion::blockWork.
 enum NodeWork {
     internalBefore,
     internalAfter,
@@ -32,11 +32,11 @@ constexpr std::size_t nodeScratch()
 
 /// Sums the forces of a node in one fixed order and advances it by one step (the particle solver of
 /// the paper): element partial sums in patch order, contact, loads, mass damping, constraints.
-template <class Precision>
-struct NodePass {
-    using Position = typename Precision::Position;
-    using Motion = typename Precision::Motion;
-    using Work = typename Precision::Work;
+template <class Numbers>
+struct NodeMotion {
+    using Position = typename Numbers::Position;
+    using Motion = typename Numbers::Motion;
+    using Work = typename Numbers::Work;
 
     Index nodeCount;
     const Index* list;  ///< the nodes, null: all

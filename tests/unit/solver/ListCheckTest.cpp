@@ -1,0 +1,298 @@
+#include "parallel/CpuExecutor.h"
+#include "solver/SearchState.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace fpm {
+namespace {
+
+/// All nodes are contact nodes.
+void numberNodes(SolverData& data, Index count)
+{
+    for (Index node = 0; node < count; ++node) data.contactNumber.push_back(node);
+}
+
+/// Four surfaces of `blocks` blocks of contact nodes each; 0 on 1, and 2 on 3.
+SolverData twoPairs(double reach, Index blocks)
+{
+    SolverData data;
+    data.passes.resize(2);
+    const Index size = blocks * displacementBlock;
+    for (Index pair = 0; pair < 2; ++pair) {
+        ContactPassSetup& p = data.passes[std::size_t(pair)];
+        p.reach = reach;
+        p.nodeCount = size;
+        for (Index i = 0; i < size; ++i) {
+            p.contactor.push_back(2 * pair * size + i);
+            p.faceNode.push_back((2 * pair + 1) * size + i);
+        }
+    }
+    numberNodes(data, 4 * size);
+    return data;
+}
+
+/// The looks of a solver, told where the contact nodes have come; waiting passes are arranged.
+class ListChecks
+{
+public:
+    ListChecks(const SolverData& data, NearBlocks::Positions positions)
+        : positions_(std::move(positions)),
+          near_(data)
+    {
+        for (const NearBlocks::Pass& pass : near_.passes()) states_.emplace_back(pass);
+        passes_ = Array<PassListState, Executor>(states_.size());
+        clock_.stop = 1e9;
+        clock_.step = 1;
+        rules.growth = 1;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass) arrange(pass);
+    }
+
+    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Ways and speeds of the
+    /// blocks of contact nodes since the last search of any.
+    std::string operator()(const std::vector<double>& distances, const std::vector<double>& speeds)
+    {
+        std::vector<double> displacements;
+        for (std::size_t block = 0; block < distances.size(); ++block) {
+            displacements.push_back(distances[block] * distances[block]);
+            displacements.push_back(speeds[block] * speeds[block]);
+            displacements.push_back(rounding * rounding);
+        }
+        std::vector<ListCheck> checks;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass)
+            checks.push_back(states_[pass].check(displacements.data(), passes_.data() + pass,
+                                                 &late_, rules, 10, &clock_));
+        checkLists(executor_, checks, passes_.data(), &clock_);
+        std::ostringstream text;
+        for (std::size_t pass = 0; pass < states_.size(); ++pass) {
+            const PassListState& found = passes_.data()[pass];
+            if (!found.whole && found.due == 0) continue;
+            text << (text.tellp() > 0 ? ", " : "") << pass << ":";
+            for (std::int64_t k = 0; k < found.due; ++k) text << " " << checks[pass].list[k];
+            if (!found.whole) continue;
+            text << " all";
+            EXPECT_FALSE(clock_.mayStep());
+            arrange(pass);
+        }
+        return text.str();
+    }
+    Index steps() const { return Index(clock_.listsValidUntil - clock_.steps); }
+    std::int64_t late() const { return late_; }
+    const NearBlocks& near() const { return near_; }
+    StepClock& clock() { return clock_; }
+
+    StepRules rules;
+    double rounding = 0; ///< in the ways told
+
+private:
+    using Executor = CpuExecutor<64>;
+
+    void arrange(std::size_t pass)
+    {
+        near_.arrange(pass, positions_);
+        states_[pass].arrange(near_.passes()[pass]);
+        passes_.data()[pass] = {};
+        passes_.data()[pass].fresh = 1;
+    }
+
+    Executor executor_{1, PassListCheck::scratch()};
+    NearBlocks::Positions positions_;
+    NearBlocks near_;
+    std::vector<SearchState<Executor>> states_;
+    Array<PassListState, Executor> passes_;
+    StepClock clock_;
+    std::int64_t late_ = 0;
+};
+
+/// Block k of each surface lies at x = k * spacing.
+ListChecks arranged(double reach, Index blocks, double spacing)
+{
+    const std::size_t count = std::size_t(4 * blocks * displacementBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        positions[i] = spacing * double(Index(i) / displacementBlock % blocks);
+    return {twoPairs(reach, blocks), std::move(positions)};
+}
+
+/// One block a surface; the targets lie at x = distance.
+ListChecks apart(double reach, double distance)
+{
+    const std::size_t count = std::size_t(4 * displacementBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < count; ++i)
+        positions[i] = distance * double(Index(i) / displacementBlock % 2);
+    return {twoPairs(reach, 1), std::move(positions)};
+}
+
+const std::vector<double> still(4, 0.0);
+
+TEST(ListCheck, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
+{
+    ListChecks check = arranged(1, 1, 0);
+    check(still, still);
+    EXPECT_EQ(check({0.5, 0.49, 0, 0}, still), "");
+    EXPECT_EQ(check({0.5, 0.51, 0, 0}, still), "0: 0");
+    EXPECT_EQ(check.steps(), 10);
+}
+
+TEST(ListCheck, AWayBeforeTheSearchOfAnotherPairIsNotForgotten)
+{
+    ListChecks check = arranged(1, 1, 0);
+    check(still, still);
+    EXPECT_EQ(check({2, 0, 0.6, 0}, still), "0: 0");
+    // Positions were remembered then: another 0.5 is 1.1 for the second pair, 0.5 for the first.
+    EXPECT_EQ(check({0.5, 0, 0.5, 0}, still), "1: 0");
+    EXPECT_EQ(check({0.4, 0, 0.9, 0}, still), "");
+}
+
+TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
+{
+    ListChecks check = arranged(1, 1, 0);
+    check(still, still);
+    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, eleven and a bit the reach.
+    EXPECT_EQ(check(still, {0.03, 0.03, 0, 0}), "");
+    EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
+    // Faster than ten steps can bear even from a fresh search: fewer, but one at least.
+    check(still, {0.1, 0.1, 0, 0});
+    EXPECT_EQ(check.steps(), 3);
+    check(still, {100, 0, 0, 0});
+    check(still, {100, 0, 0, 0});
+    EXPECT_EQ(check.steps(), 1);
+    EXPECT_EQ(check.late(), 0);
+}
+
+TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
+{
+    // Three blocks a surface, 100 reaches apart; ways in the order of the surfaces.
+    ListChecks check = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> distances(12, 0.0);
+    check(distances, slow);
+    distances[4] = 1.5; // the middle of the first pair's target
+    EXPECT_EQ(check(distances, slow), "0: 1");
+    distances[4] = 0;
+    distances[0] = 0.9; // of the first contactors; the middle ones were searched meanwhile
+    EXPECT_EQ(check(distances, slow), "");
+    distances[0] = 1.1;
+    EXPECT_EQ(check(distances, slow), "0: 0");
+}
+
+TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
+{
+    ListChecks check = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> distances(12, 0.0);
+    check(distances, slow);
+    distances[4] = 3;
+    EXPECT_EQ(check(distances, slow), "0: 1");
+    EXPECT_EQ(check(distances, slow), "0: 1");
+    // 3 + 3 + 3 is more than the 7 reaches for which is known what is near.
+    EXPECT_EQ(check(distances, slow), "0: all");
+    // It was arranged where it is: whatever its speed, the next look lets it go on.
+    EXPECT_EQ(check(slow, distances), "");
+    EXPECT_EQ(check.steps(), 1);
+}
+
+TEST(ListCheck, AFixedStepIsForeseenAfterOneThatWasCut)
+{
+    ListChecks check = arranged(1, 1, 0);
+    check(still, still);
+    check.clock().step = 0.01; // to meet a time; the next ones are 1 again
+    check.rules.fixedStep = 1;
+    EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
+}
+
+TEST(ListCheck, WhatIsNearIsKnownForAsManyStepsAsFollow)
+{
+    // The target comes from afar, four reaches a step with all haste; no contactor is near it.
+    ListChecks check = apart(1, 200);
+    const std::vector<double> speeds{0, 4 / 1.5, 0, 0};
+    check(still, still);
+    EXPECT_EQ(check({0, 7, 0, 0}, speeds), "0: all");
+    EXPECT_EQ(check(still, speeds), "");
+    EXPECT_EQ(check.steps(), 1); // of the seven reaches
+    EXPECT_EQ(check.late(), 0);
+}
+
+TEST(ListCheck, BlocksWithNothingNearDoNotSearch)
+{
+    ListChecks check = apart(1, 200);
+    check(still, still);
+    EXPECT_EQ(check({3, 0, 0, 0}, still), "");
+    EXPECT_EQ(check.steps(), 10);
+    EXPECT_EQ(check({8, 0, 0, 0}, still), "0: all"); // it may be near by now
+    EXPECT_EQ(check.late(), 0);
+}
+
+TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
+{
+    ListChecks check = arranged(1, 3, 100);
+    const std::vector<double> slow(12, 0.0);
+    std::vector<double> distances(12, 0.0);
+    check(distances, slow);
+    distances[4] = 0.9;
+    check(distances, slow);
+    EXPECT_EQ(check.late(), 0);
+    distances[4] = 1.1; // of block 1 alone
+    check(distances, slow);
+    EXPECT_EQ(check.late(), 1);
+    distances[4] = 9; // and what was near it is not known any more
+    check(distances, slow);
+    EXPECT_EQ(check.late(), 3);
+}
+
+TEST(ListCheck, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
+{
+    ListChecks check = arranged(1, 1, 0);
+    check(still, still);
+    check.rounding = 0.3; // of each side, at both ends of a way
+    EXPECT_EQ(check({1.1, 0, 0, 0}, still), "0: 0");
+    EXPECT_EQ(check.late(), 0);
+    EXPECT_EQ(check({2.3, 0, 0, 0}, still), "0: 0");
+    EXPECT_EQ(check.late(), 1);
+}
+
+TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
+{
+    // Four blocks a surface, the second pair like the first; two threads with two blocks each.
+    const std::vector<Index> starts{0, 2};
+    const auto text = [&](double spacing) {
+        std::string out;
+        for (const std::uint8_t shared : arranged(1, 4, spacing).near().sharedBlocks(0, starts))
+            out += shared ? 's' : '-';
+        return out;
+    };
+    EXPECT_EQ(text(100), "--------"); // contactors and, below each of them, the target's nodes
+    EXPECT_EQ(text(0), "----ssss");   // all in one place
+    // Within 24 reaches: those beside the border of the two threads.
+    EXPECT_EQ(text(15), "-----ss-");
+}
+
+TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
+{
+    // One face as wide as 100 reaches whose corners lie in two blocks of contact nodes, and a block
+    // of contactors over its middle.
+    SolverData data;
+    data.passes.resize(1);
+    ContactPassSetup& pair = data.passes[0];
+    pair.reach = 1;
+    pair.nodeCount = 2 * displacementBlock;
+    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
+    pair.faceNode = {2 * displacementBlock, 2 * displacementBlock + 1, 3 * displacementBlock,
+                     3 * displacementBlock + 1};
+    const std::size_t count = std::size_t(4 * displacementBlock);
+    numberNodes(data, 4 * displacementBlock);
+    NearBlocks::Positions positions(3 * count);
+    for (std::size_t i = 0; i < std::size_t(2 * displacementBlock); ++i) positions[i] = 50;
+    positions[std::size_t(3 * displacementBlock)] =
+        positions[std::size_t(3 * displacementBlock) + 1] = 100;
+    ListChecks check(data, positions);
+    check(still, still);
+    EXPECT_EQ(check({0, 0, 0, 1.1}, still), "0: 0 1");
+    const std::vector<std::uint8_t> shared = check.near().sharedBlocks(0, {0, 1});
+    EXPECT_EQ(shared, (std::vector<std::uint8_t>{0, 0, 1, 1}));
+}
+
+} // namespace
+} // namespace fpm
