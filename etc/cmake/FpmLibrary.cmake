@@ -1,7 +1,8 @@
-# fpmLibrary(name USES lib... LINKS target...): a static library of every .cpp in this folder, or an
-# interface library where there is none.
+# fpmLibrary(name [INTERNAL] USES lib... LINKS target...): a static library of every .cpp in this folder, or
+# an interface library where there is none. It is installed with its headers and is fpm::<name> to others;
+# INTERNAL: it serves the programs of this project alone.
 function(fpmLibrary name)
-    cmake_parse_arguments(arg "" "" "USES;LINKS" ${ARGN})
+    cmake_parse_arguments(arg "INTERNAL" "" "USES;LINKS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     list(TRANSFORM arg_USES PREPEND fpm_)
     if(sources)
@@ -10,6 +11,12 @@ function(fpmLibrary name)
     else()
         add_library(fpm_${name} INTERFACE)
         target_link_libraries(fpm_${name} INTERFACE fpmFlags ${arg_USES} ${arg_LINKS})
+    endif()
+    if(NOT arg_INTERNAL)
+        set_property(TARGET fpm_${name} PROPERTY EXPORT_NAME ${name})
+        install(TARGETS fpm_${name} EXPORT fpmTargets ARCHIVE DESTINATION lib COMPONENT libraries)
+        install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} DESTINATION include/fpm COMPONENT libraries
+            FILES_MATCHING PATTERN "*.h")
     endif()
 endfunction()
 

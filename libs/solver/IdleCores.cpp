@@ -1,7 +1,7 @@
 #include "solver/IdleCores.h"
 
-#include "application/Machine.h"
 #include "base/Format.h"
+#include "base/Machine.h"
 #include "solver/Solver.h"
 
 #include <sched.h>

@@ -1,7 +1,7 @@
 #include "study/Study.h"
 
-#include "application/CaseLock.h"
 #include "base/Format.h"
+#include "case/CaseLock.h"
 #include "io/Checksum.h"
 #include "study/Process.h"
 

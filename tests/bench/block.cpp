@@ -8,8 +8,8 @@
 //   form: elastic stiffness physical viscous selective (all but the first elastoplastic)
 
 #include "base/Error.h"
+#include "run/StepBytes.h"
 #include "solver/Solver.h"
-#include "solver/StepBytes.h"
 #include "support/solverModel.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "application/Application.h"
 
-#include "application/CaseLock.h"
 #include "base/Format.h"
 #include "base/Version.h"
-#include "unit/application/TemporaryCase.h"
+#include "case/CaseLock.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 

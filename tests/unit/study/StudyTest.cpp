@@ -1,6 +1,6 @@
 #include "study/Study.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 #include "unit/study/fakePrograms.h"
 
 #include <gtest/gtest.h>
