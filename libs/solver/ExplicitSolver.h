@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Error.h"
+#include "base/Hash.h"
 #include "kernels/contact/ContactForce.h"
 #include "kernels/contact/NodeGap.h"
 #include "kernels/contact/PassSums.h"
@@ -15,7 +16,6 @@
 #include "solver/IdleCores.h"
 #include "solver/PenaltyData.h"
 #include "solver/Solver.h"
-#include "solver/checksum.h"
 
 #include <algorithm>
 #include <chrono>
