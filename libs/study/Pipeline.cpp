@@ -1,10 +1,10 @@
 #include "study/Pipeline.h"
 
+#include "application/ChildProcess.h"
 #include "application/Machine.h"
 #include "base/Error.h"
 #include "base/Format.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <unistd.h>
 

@@ -1,9 +1,9 @@
 #include "study/Study.h"
 
 #include "application/CaseLock.h"
+#include "application/ChildProcess.h"
 #include "base/Format.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <algorithm>
 #include <limits>
