@@ -1,6 +1,7 @@
 #include "run/Performance.h"
 
 #include "base/Format.h"
+#include "base/Hash.h"
 #include "case/PerformanceRecord.h"
 #include "io/AtomicFile.h"
 #include "run/RunForecast.h"
@@ -141,13 +142,6 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
 }
 
 namespace {
-
-std::string hexText(std::uint64_t value)
-{
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> shift) & 15];
-    return text;
-}
 
 const char* precisionName(Precision precision)
 {

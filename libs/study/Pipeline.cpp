@@ -1,12 +1,12 @@
 #include "study/Pipeline.h"
 
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
 #include "base/Machine.h"
 #include "base/Version.h"
 #include "case/PerformanceRecord.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <unistd.h>
 

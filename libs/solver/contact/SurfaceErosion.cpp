@@ -88,8 +88,7 @@ std::vector<ElementSide> SurfaceErosion::renewedSides(const std::vector<ElementS
                 if (neighbour({other, facing}) == queue[next]) sides.push_back({other, facing});
         }
     std::ranges::sort(sides);
-    const auto twice = std::ranges::unique(sides);
-    sides.erase(twice.begin(), twice.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     return sides;
 }
 

@@ -1,14 +1,11 @@
-#include "study/Process.h"
-
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,11 +29,6 @@ std::array<struct sigaction, watched.size()> previous;
 extern "C" void noteInterruption(int signal)
 {
     interruption = signal;
-}
-
-double seconds(const timeval& time)
-{
-    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
 }
 
 /// Only what is allowed between fork and exec.
@@ -76,26 +68,6 @@ bool waitUntil(pid_t child, std::chrono::steady_clock::time_point deadline)
     if (timedOut) kill(child, SIGKILL);
     close(watch);
     return timedOut;
-}
-
-ProcessEnd waitFor(pid_t child, std::chrono::steady_clock::time_point deadline)
-{
-    const bool timedOut = waitUntil(child, deadline);
-    int status = 0;
-    rusage used{};
-    while (wait4(child, &status, 0, &used) < 0)
-        if (errno != EINTR)
-            throw Error(ExitCode::internal,
-                        "lost a child: " + std::generic_category().message(errno));
-    ProcessEnd end;
-    if (WIFSIGNALED(status))
-        end.signal = WTERMSIG(status);
-    else
-        end.exitCode = WEXITSTATUS(status);
-    end.timedOut = timedOut && end.signal == SIGKILL;
-    end.cpu = seconds(used.ru_utime) + seconds(used.ru_stime);
-    end.peakMemory = 1024.0 * double(used.ru_maxrss);
-    return end;
 }
 
 } // namespace
@@ -144,8 +116,10 @@ ProcessEnd runProcess(const std::vector<std::string>& command,
                     "no further process: " + std::generic_category().message(errno));
     // A month is as good as never, and no overflow of the clock.
     const auto allowed = std::chrono::duration<double>(std::min(timeLimit, 2.6e6));
-    auto end = waitFor(
+    const bool late = waitUntil(
         child, start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(allowed));
+    ProcessEnd end = reaped(child);
+    end.timedOut = late && end.signal == SIGKILL;
     end.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (end.exitCode == cannotStart)
         throw Error(ExitCode::fileIo, format("cannot start {}", command.front()));

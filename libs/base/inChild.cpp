@@ -1,11 +1,9 @@
-#include "mesher/ChildProcess.h"
-
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -61,31 +59,26 @@ std::string receiveAll(int pipe)
 }
 
 /// First byte: kind; for an error the second: exit code; then the result or the message.
-std::string answerOf(const std::string& subject, const std::function<std::string()>& work)
+std::string answerOf(const ChildTask& task, const std::function<std::string()>& work)
 {
     const auto failure = [](ExitCode code, const std::string& text, const std::string& advice) {
         return std::string{errorAnswer, char(code)} + text + '\0' + advice;
     };
-    const std::string again = "export the file again: gmsh -format msh41";
     try {
         return goodAnswer + work();
     } catch (const Error& error) {
         return failure(error.code(), error.what(), error.advice());
     } catch (const std::bad_alloc&) {
-        return failure(ExitCode::mesh,
-                       subject
-                           + ": rejected, it takes more memory than its size "
-                             "allows for",
-                       again);
+        return failure(task.code,
+                       task.subject + ": rejected, it takes more memory than its size allows for",
+                       task.advice);
     } catch (const std::exception& error) {
-        return failure(ExitCode::mesh, subject + ": rejected, " + error.what(), again);
+        return failure(task.code, task.subject + ": rejected, " + error.what(), task.advice);
     }
 }
 
-[[noreturn]] void runChild(int pipe,
-                           const std::string& subject,
-                           const ChildLimits& limits,
-                           const std::function<std::string()>& work)
+[[noreturn]] void
+runChild(int pipe, const ChildTask& task, const std::function<std::string()>& work)
 {
     // Nothing of the parent may be written twice, and a dying library should not speak.
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -93,48 +86,45 @@ std::string answerOf(const std::string& subject, const std::function<std::string
     for (const int caught : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU})
         std::signal(caught, SIG_DFL);
     limit(RLIMIT_CORE, 0);
-    if (limits.memoryBytes > 0) limit(RLIMIT_AS, addressSpace() + limits.memoryBytes);
-    if (limits.cpuSeconds > 0) limit(RLIMIT_CPU, limits.cpuSeconds);
-    const std::string answer = answerOf(subject, work);
+    if (task.memoryBytes > 0) limit(RLIMIT_AS, addressSpace() + task.memoryBytes);
+    if (task.cpuSeconds > 0) limit(RLIMIT_CPU, task.cpuSeconds);
+    const std::string answer = answerOf(task, work);
     _exit(sendAll(pipe, answer) ? 0 : 1);
 }
 
-std::string deathOf(int status)
+std::string deathOf(const ProcessEnd& end)
 {
-    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+    if (end.signal == SIGXCPU || end.signal == SIGKILL)
         return "the reader took too much time or memory";
-    if (WIFSIGNALED(status)) return format("the reader died of signal {}", WTERMSIG(status));
-    return format("the reader left with status {}", WEXITSTATUS(status));
+    if (end.signal != 0) return format("the reader died of signal {}", end.signal);
+    return format("the reader left with status {}", end.exitCode);
 }
 
 } // namespace
 
-std::string inChild(const std::string& subject,
-                    const ChildLimits& limits,
-                    const std::function<std::string()>& work)
+std::string inChild(const ChildTask& task, const std::function<std::string()>& work)
 {
     std::array<int, 2> ends;
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw Error(ExitCode::fileIo, format("{}: no pipe: {}", subject, std::strerror(errno)));
+        throw Error(ExitCode::fileIo,
+                    format("{}: no pipe: {}", task.subject, std::strerror(errno)));
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        runChild(ends[1], subject, limits, work);
+        runChild(ends[1], task, work);
     }
     close(ends[1]);
     if (child < 0) {
         close(ends[0]);
-        throw Error(ExitCode::memory, format("{}: no process: {}", subject, std::strerror(errno)));
+        throw Error(ExitCode::memory,
+                    format("{}: no process: {}", task.subject, std::strerror(errno)));
     }
     std::string answer = receiveAll(ends[0]);
     close(ends[0]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty())
-        throw Error(ExitCode::mesh, format("{}: rejected, {}", subject, deathOf(status)),
-                    "export the file again: gmsh -format msh41");
+    const ProcessEnd left = reaped(child);
+    if (!left.succeeded() || answer.empty())
+        throw Error(task.code, format("{}: rejected, {}", task.subject, deathOf(left)),
+                    task.advice);
     if (answer[0] == errorAnswer && answer.size() > 1) {
         const auto end = answer.find('\0', 2); // between message and advice
         const auto advice = end == std::string::npos ? "" : answer.substr(end + 1);

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "base/Error.h"
+
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace fpm {
 
-/// How a program ended and what it took.
+/// How a child ended and what it took.
 struct ProcessEnd {
-    int exitCode = 0;      ///< of a program that ended by itself
+    int exitCode = 0;      ///< of a child that ended by itself
     int signal = 0;        ///< that ended it; 0: none
     bool timedOut = false; ///< killed at the time limit
     double wall = 0;       ///< s
@@ -38,5 +42,22 @@ ProcessEnd runProcess(const std::vector<std::string>& command,
                       const std::filesystem::path& folder,
                       const std::filesystem::path& log,
                       double timeLimit = std::numeric_limits<double>::infinity());
+
+/// Work for a child process, so that a library that crashes on a hostile file takes nothing with
+/// it.
+struct ChildTask {
+    std::string subject; ///< begins what is told of a child that dies: "<subject>: rejected, ..."
+    ExitCode code;       ///< and this is its code
+    std::string advice;
+    std::uint64_t memoryBytes = 0; ///< beyond what the parent has; 0: no limit
+    std::uint64_t cpuSeconds = 0;  ///< 0: no limit
+};
+
+/// Runs `work` in a child process and returns the bytes it returned. An Error thrown by `work` is
+/// thrown here again.
+std::string inChild(const ChildTask& task, const std::function<std::string()>& work);
+
+/// Waits for a child that ends by itself or has been killed.
+ProcessEnd reaped(int child);
 
 } // namespace fpm
