@@ -61,14 +61,8 @@ public:
     {
     }
 
-    ~TimeLoop() { solver_.watch({}); }
-
     void run()
     {
-        solver_.watch([this](const StepClock& now) {
-            clock_ = now;
-            progress();
-        });
         try {
             loop();
         } catch (const Error& error) {
@@ -136,7 +130,10 @@ private:
     {
         std::int64_t steps = stepsUntil(clock_, due);
         if (options_.maxSteps >= 0) steps = std::min(steps, options_.maxSteps - clock_.steps);
-        solver_.advance(std::min(stop, control_.endTime), steps);
+        solver_.advance(std::min(stop, control_.endTime), steps, [this](const StepClock& now) {
+            clock_ = now;
+            progress();
+        });
         clock_ = solver_.clock();
     }
 

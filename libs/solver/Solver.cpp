@@ -75,7 +75,7 @@ void Solver::start()
     ledger_.start();
 }
 
-void Solver::advance(double time, std::int64_t maxSteps)
+void Solver::advance(double time, std::int64_t maxSteps, const Observer& observer)
 {
     const auto begin = std::chrono::steady_clock::now();
     StepClock now = clock();
@@ -94,7 +94,7 @@ void Solver::advance(double time, std::int64_t maxSteps)
         if (now.waits) lists_.makeWaiting();
         if (now.deletions != fields_.ledger.deletions()) followDeletions();
         fields_.ledger.deletions = now.deletions;
-        if (observer_) observer_(now);
+        if (observer) observer(now);
     }
     if (now.time >= time) nodes_.judge();
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -36,16 +36,16 @@ public:
     /// `audit`: book nodal works of every force family, for tests.
     Solver(const Model& model, Machine machine, bool audit);
 
+    /// Is given the clock every few steps, between two of them, and must not touch the solver.
+    using Observer = std::function<void(const StepClock&)>;
+
     /// Forces at the start, without motion. Called once, before the first advance().
     void start();
     /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early only on failure.
-    void advance(double time, std::int64_t maxSteps);
+    void advance(double time, std::int64_t maxSteps, const Observer& observer = {});
     /// Goes on with so many threads of the CPU, those it was made with at most. No bit depends on
     /// it.
     void useThreads(int threads);
-    /// advance() calls `observer` every few steps, between two of them; empty: nobody. What it does
-    /// must not touch the solver.
-    void watch(std::function<void(const StepClock&)> observer) { observer_ = std::move(observer); }
 
     StepClock clock() const { return fields_.clock.clock.toHost()[0]; }
     StepTimes times() const;
@@ -82,7 +82,6 @@ private:
     ExplicitStep step_;
     std::unique_ptr<ContactRenewal> renewal_; ///< null unless deletions change contact surfaces
     std::unique_ptr<IdleCores> cores_;        ///< null where the number of threads is fixed
-    std::function<void(const StepClock&)> observer_;
     double seconds_ = 0;
 };
 

@@ -33,13 +33,14 @@ public:
     /// Of each node that is a contactor with a target within reach: the distance to it, negative
     /// inside, the least where it has several; NaN of all others. Overlaps that are forgiven count.
     std::vector<double> gaps();
-    /// Of one pass, as PassSum; added up on the device: a history row must not copy all contactors.
+    /// Of one pass, as PassSum; added up on the device, once a step however many ask.
     std::array<double, passSums> sumsOf(std::size_t pass);
     /// FNV-1a over the stored friction, continuing from `hash`.
     std::uint64_t checksum(std::uint64_t hash) const;
     double seconds() const { return seconds_; }
 
 private:
+    void addUp();
     void noteOverlaps(std::size_t pass, const std::vector<float>& depths);
     std::vector<double> touchOf(std::size_t pass);
     std::vector<double> gapsOf(std::size_t pass);
@@ -48,7 +49,9 @@ private:
     SolverFields& fields_;
     ContactLaunches& launches_;
     Backend& backend_;
-    std::vector<PairOverlap> overlaps_; ///< of each pair of the model
+    std::vector<PairOverlap> overlaps_;              ///< of each pair of the model
+    std::vector<std::array<double, passSums>> sums_; ///< of each pass,
+    std::int64_t sumsStep_ = -1;                     ///< after so many steps
     double seconds_ = 0;
 };
 

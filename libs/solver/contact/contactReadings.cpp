@@ -7,14 +7,24 @@
 
 namespace fpm {
 
+void ContactSolver::addUp()
+{
+    sums_.assign(setUp_.contact.passes.size(), {});
+    for (std::size_t pass = 0; pass < sums_.size(); ++pass) launches_.sums(pass);
+    backend_.synchronize();
+    for (std::size_t pass = 0; pass < sums_.size(); ++pass) {
+        const std::vector<double> parts = fields_.contact.passes[pass]->sums.toHost();
+        for (std::size_t k = 0; k < parts.size(); ++k) sums_[pass][k % passSums] += parts[k];
+    }
+}
+
 std::array<double, passSums> ContactSolver::sumsOf(std::size_t pass)
 {
-    std::array<double, passSums> total{};
-    launches_.sums(pass);
-    backend_.synchronize();
-    const std::vector<double> parts = fields_.contact.passes[pass]->sums.toHost();
-    for (std::size_t k = 0; k < parts.size(); ++k) total[k % passSums] += parts[k];
-    return total;
+    // Surfaces are renewed between two steps, before anybody reads.
+    const std::int64_t steps = fields_.clock.clock.toHost()[0].steps;
+    if (steps != sumsStep_ || steps == 0) addUp();
+    sumsStep_ = steps;
+    return sums_[pass];
 }
 
 PairForce ContactSolver::force(std::size_t number)
@@ -46,12 +56,10 @@ std::vector<double> ContactSolver::touchOf(std::size_t pass)
 {
     PassFields& fields = *fields_.contact.passes[pass];
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(fields.contactor.size())));
-    fields.touch.resize(blocks * touchValues);
+    if (fields.touch.size() != blocks * touchValues) fields.touch.resize(blocks * touchValues);
     launches_.touch(pass);
     backend_.synchronize();
-    const std::vector<double> values = fields.touch.toHost();
-    fields.touch.resize(0);
-    return values;
+    return fields.touch.toHost();
 }
 
 PairTouch ContactSolver::touch(std::size_t number)

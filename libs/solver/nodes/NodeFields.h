@@ -45,6 +45,9 @@ struct NodeFields : FieldSet {
     Field<double> blockWork{*this, {"blockWork", Location::block, Role::state}};
     Field<double> blockEnergy{*this, {"blockEnergy", Location::block, Role::scratch}};
     Field<double> relaxationSum{*this, {"relaxationSum", Location::block, Role::scratch}};
+    /// Nodes that are read, and their values; see NodeSample.
+    Field<Index> sampled{*this, {"sampled", Location::table, Role::scratch}};
+    Field<double> sample{*this, {"sample", Location::table, Role::scratch}};
 };
 
 /// Blocks of nodes that one team works at a time.

@@ -35,12 +35,15 @@ void NodeSolver::endPressures(NodeSetUp& setUp, const std::vector<bool>& deleted
 NodeValues NodeSolver::values(const std::vector<Index>& nodes)
 {
     const std::size_t count = nodes.empty() ? std::size_t(setUp_.count) : nodes.size();
-    FieldSet reading("reading", fields_.memory(), fields_.numbers());
-    const Field<Index> list(reading, {"list", Location::table, Role::scratch}, nodes);
-    Field<double> out(reading, {"values", Location::table, Role::scratch}, sampleValues * count);
-    launches_.sample(list.data(), Index(count), out.data());
+    // The few nodes of a history keep their memory from row to row.
+    if (fields_.sampled.size() != nodes.size()) fields_.sampled.resize(nodes.size());
+    if (fields_.sample.size() != sampleValues * count) fields_.sample.resize(sampleValues * count);
+    fields_.sampled.fromHost(nodes);
+    launches_.sample(fields_.sampled.data(), Index(count), fields_.sample.data());
     backend_.synchronize();
-    return {out.toHost(), count};
+    const NodeValues values{fields_.sample.toHost(), count};
+    if (nodes.empty()) fields_.sample.resize(0);
+    return values;
 }
 
 std::uint64_t NodeSolver::checksum(std::uint64_t hash) const
