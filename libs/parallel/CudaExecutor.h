@@ -69,7 +69,16 @@ __global__ void __launch_bounds__(threadsPerBlock) launchEach(Index count, Kerne
     if (i < count) kernel(i);
 }
 
-/// Blocks that a multiprocessor should hold at once, where a kernel tells: registers are shared.
+/// Threads of a block, and blocks that a multiprocessor should hold at once, where a kernel tells:
+/// registers are shared.
+template <class Kernel>
+constexpr int threadsOf()
+{
+    if constexpr (requires { Kernel::threads; })
+        return Kernel::threads;
+    else
+        return threadsPerBlock;
+}
 template <class Kernel>
 constexpr int blocksPerProcessor()
 {
@@ -80,7 +89,7 @@ constexpr int blocksPerProcessor()
 }
 
 template <class Kernel>
-__global__ void __launch_bounds__(threadsPerBlock, blocksPerProcessor<Kernel>())
+__global__ void __launch_bounds__(threadsOf<Kernel>(), blocksPerProcessor<Kernel>())
     launchBlocks(Kernel kernel)
 {
     extern __shared__ __align__(128) std::byte blockScratch[];
@@ -116,7 +125,8 @@ public:
     void parallelFor(Index count, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        launch(launchEach<Kernel>, unsigned(blocksOf(count, threadsPerBlock)), 0, count, kernel);
+        launch(launchEach<Kernel>, unsigned(blocksOf(count, threadsPerBlock)), threadsPerBlock, 0,
+               count, kernel);
     }
     template <class Kernel>
     void parallelBlocks(Index count, std::size_t scratchBytes, const Kernel& kernel) const
@@ -129,7 +139,7 @@ public:
                         "a patch needs " + std::to_string(scratchBytes)
                             + " bytes of shared memory, more than this GPU gives to a block",
                         "run on the CPU, or on a GPU of compute capability 9.0 or later");
-        launch(launchBlocks<Kernel>, unsigned(count), scratchBytes, kernel);
+        launch(launchBlocks<Kernel>, unsigned(count), threadsOf<Kernel>(), scratchBytes, kernel);
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
     static bool alone() { return false; }
@@ -205,17 +215,18 @@ private:
         CudaOwned<cudaEvent_t> begin, end;
     };
 
-    /// kernel<<<blocks, threadsPerBlock, scratchBytes>>>(arguments...) as a call of the runtime, so
+    /// kernel<<<blocks, threads, scratchBytes>>>(arguments...) as a call of the runtime, so
     /// that no syntax of nvcc's own is needed: any compiler and any runtime of these names will do.
     template <class... Expected, class... Arguments>
     void launch(void (*kernel)(Expected...),
                 unsigned blocks,
+                unsigned threads,
                 std::size_t scratchBytes,
                 const Arguments&... arguments) const
     {
         cudaLaunchConfig_t shape{};
         shape.gridDim = dim3(blocks);
-        shape.blockDim = dim3(threadsPerBlock);
+        shape.blockDim = dim3(threads);
         shape.dynamicSmemBytes = scratchBytes;
         shape.stream = stream_.get();
         checkCuda(cudaLaunchKernelEx(&shape, kernel, arguments...), "kernel launch");

@@ -66,10 +66,13 @@ struct ElementForces {
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
 
-    /// Of a GPU: with 128 registers a thread two blocks share a multiprocessor. Eight points need
-    /// twice as many, and so do doubles.
-    static constexpr int blocksPerProcessor =
-        sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration> ? 2 : 1;
+    /// Of a GPU: with 128 registers a thread four small blocks share a multiprocessor. Eight points
+    /// need twice as many, and so do doubles.
+    static constexpr int threads = threadsPerSmallBlock,
+                         blocksPerProcessor =
+                             sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration>
+                                 ? 4
+                                 : 2;
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
