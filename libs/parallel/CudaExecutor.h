@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fpm {
@@ -106,6 +107,32 @@ struct CudaRelease {
 template <class Handle>
 using CudaOwned = std::unique_ptr<std::remove_pointer_t<Handle>, CudaRelease>;
 
+/// Records what is launched on a stream, until end() or, where that is not reached, until it goes:
+/// a stream that goes on recording would refuse all that follows, and its own end.
+class CudaCapture
+{
+public:
+    explicit CudaCapture(cudaStream_t stream) : stream_(stream)
+    {
+        checkCuda(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "graph");
+    }
+    CudaCapture(const CudaCapture&) = delete;
+    ~CudaCapture()
+    {
+        cudaGraph_t left = nullptr;
+        if (stream_ && cudaStreamEndCapture(stream_, &left) == cudaSuccess) cudaGraphDestroy(left);
+    }
+    CudaOwned<cudaGraph_t> end()
+    {
+        cudaGraph_t graph = nullptr;
+        checkCuda(cudaStreamEndCapture(std::exchange(stream_, nullptr), &graph), "graph");
+        return CudaOwned<cudaGraph_t>(graph);
+    }
+
+private:
+    cudaStream_t stream_; ///< null after the end
+};
+
 /// Launches on one stream of the current device. Allocation is plain cudaMalloc, at set-up only.
 class CudaExecutor
 {
@@ -132,13 +159,9 @@ public:
     void parallelBlocks(Index count, std::size_t scratchBytes, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        if (cudaFuncSetAttribute(launchBlocks<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize,
-                                 int(scratchBytes))
-            != cudaSuccess)
-            throw Error(ExitCode::device,
-                        "a patch needs " + std::to_string(scratchBytes)
-                            + " bytes of shared memory, more than this GPU gives to a block",
-                        "run on the CPU, or on a GPU of compute capability 9.0 or later");
+        const cudaError_t status = cudaFuncSetAttribute(
+            launchBlocks<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize, int(scratchBytes));
+        if (status != cudaSuccess) refuseShared(scratchBytes, status);
         launch(launchBlocks<Kernel>, unsigned(count), threadsOf<Kernel>(), scratchBytes, kernel);
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
@@ -231,6 +254,22 @@ private:
         shape.stream = stream_.get();
         checkCuda(cudaLaunchKernelEx(&shape, kernel, arguments...), "kernel launch");
     }
+    /// Says why a kernel cannot have its shared memory: the GPU gives a block less, or something
+    /// else.
+    static void refuseShared(std::size_t bytes, cudaError_t status)
+    {
+        int device = 0, most = 0;
+        checkCuda(cudaGetDevice(&device), "current device");
+        checkCuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
+                  "device attribute");
+        if (bytes <= std::size_t(most)) checkCuda(status, "shared memory of a kernel");
+        throw Error(ExitCode::device,
+                    "a patch needs " + std::to_string(bytes)
+                        + " bytes of shared memory, this GPU "
+                          "gives "
+                        + std::to_string(most) + " to a block",
+                    "run on the CPU, or on a GPU of compute capability 9.0 or later");
+    }
     CudaOwned<cudaEvent_t> stamp() const
     {
         cudaEvent_t event = nullptr;
@@ -242,14 +281,12 @@ private:
     template <class Begin, class Step>
     void record(const Begin& begin, const Step& step)
     {
-        checkCuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "graph");
+        CudaCapture capture(stream_.get());
         begin();
         for (std::int64_t i = 0; i < stepsPerGraph; ++i) step();
-        cudaGraph_t graph = nullptr;
-        checkCuda(cudaStreamEndCapture(stream_.get(), &graph), "graph");
-        const CudaOwned<cudaGraph_t> owned(graph);
+        const CudaOwned<cudaGraph_t> graph = capture.end();
         cudaGraphExec_t executable = nullptr;
-        checkCuda(cudaGraphInstantiate(&executable, graph, 0), "graph");
+        checkCuda(cudaGraphInstantiate(&executable, graph.get(), 0), "graph");
         graph_.reset(executable);
     }
     void readSamples()

@@ -156,6 +156,13 @@ TEST_F(StandIn, SharedMemoryHasALimit)
     EXPECT_NE(failureOf(WriteBehind{0}, 227 * 1024 + 1).find("a patch needs"), std::string::npos);
 }
 
+TEST_F(StandIn, AKernelThatFailedIsNotTooLittleSharedMemory)
+{
+    EXPECT_NE(failureOf(HalfWaits{}), "");
+    EXPECT_NE(failureOf(WriteBehind{0}).find("shared memory of a kernel: 128 of 256 threads wait"),
+              std::string::npos);
+}
+
 struct Store {
     Index* out;
     Index at, value;
@@ -243,6 +250,23 @@ TEST_F(StandIn, AGraphReplaysWhatWasRecorded)
     executor.forgetSteps();
     ten();
     EXPECT_EQ(out.toHost()[0], 1030);
+}
+
+TEST_F(StandIn, AnExceptionInTheStepsEndsTheRecording)
+{
+    Device<Index> out(1);
+    const auto steps = [&](bool fails) {
+        executor.repeat(
+            stepsPerGraph, [] {},
+            [&] {
+                if (fails) throw Error(ExitCode::internal, "on the way");
+                executor.parallelFor(1, Count{out.data(), 1});
+            });
+    };
+    steps(false); // launched plainly, as a sample
+    EXPECT_EQ(messageOf([&] { steps(true); }), "on the way");
+    steps(false);
+    EXPECT_EQ(out.toHost()[0], 2 * stepsPerGraph);
 }
 
 TEST_F(StandIn, WhatCannotBeRecordedFailsAndEndsTheRecording)

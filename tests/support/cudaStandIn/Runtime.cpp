@@ -110,6 +110,7 @@ cudaError_t cudaStandIn::enqueue(const cudaLaunchConfig_t& config, Launch launch
 cudaError_t
 cudaStandIn::allowSharedBytes(const void* kernel, cudaFuncAttribute attribute, int bytes)
 {
+    if (state() != cudaSuccess) return state();
     if (attribute != cudaFuncAttributeMaxDynamicSharedMemorySize || bytes < 0
         || std::size_t(bytes) > mostSharedBytes)
         return cudaErrorInvalidValue;
@@ -156,6 +157,20 @@ cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int device)
 {
     if (device != 0) return cudaErrorInvalidValue;
     std::snprintf(properties->name, sizeof properties->name, "emulated by the processor");
+    return cudaSuccess;
+}
+
+cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int device)
+{
+    if (device != 0 || attribute != cudaDevAttrMaxSharedMemoryPerBlockOptin)
+        return cudaErrorInvalidValue;
+    *value = int(mostSharedBytes);
+    return cudaSuccess;
+}
+
+cudaError_t cudaGetDevice(int* device)
+{
+    *device = 0;
     return cudaSuccess;
 }
 
