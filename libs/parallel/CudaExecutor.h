@@ -213,6 +213,18 @@ public:
         return stepsTimed_ > 0 ? double(stepsDone_) / double(stepsTimed_) : 1;
     }
 
+    /// Refuses what would not fit the device, before a part of it is allocated.
+    static void requireMemory(std::size_t bytes)
+    {
+        std::size_t free = 0, total = 0;
+        checkCuda(cudaMemGetInfo(&free, &total), "free memory");
+        if (bytes <= free) return;
+        const auto mebibytes = [](std::size_t n) { return std::to_string(n >> 20); };
+        throw Error(ExitCode::device,
+                    "the model needs " + mebibytes(bytes) + " MiB of device memory; "
+                        + mebibytes(free) + " of this GPU's " + mebibytes(total) + " MiB are free",
+                    "use -precision mixed, another -device, fewer elements or -backend openmp");
+    }
     static void* allocate(std::size_t bytes)
     {
         void* memory = nullptr;

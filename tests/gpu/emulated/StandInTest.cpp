@@ -319,5 +319,17 @@ TEST_F(StandIn, AModelThatDoesNotFitIsRefused)
               std::string::npos);
 }
 
+TEST_F(StandIn, AModelThatWouldNotFitIsRefusedBeforeAnythingIsAllocated)
+{
+    std::size_t before = 0, free = 0, total = 0;
+    ASSERT_EQ(cudaMemGetInfo(&before, &total), cudaSuccess);
+    Device<double> held(1000);
+    ASSERT_EQ(cudaMemGetInfo(&free, &total), cudaSuccess);
+    EXPECT_EQ(free, before - held.bytes());
+    EXPECT_EQ(messageOf([=] { CudaExecutor::requireMemory(free); }), "");
+    EXPECT_NE(messageOf([=] { CudaExecutor::requireMemory(free + 1); }).find("4096 MiB are free"),
+              std::string::npos);
+}
+
 } // namespace
 } // namespace fpm::standInTest

@@ -70,6 +70,7 @@ struct Launch {
 /// Device memory. Closed to the host but for the time that kernels or copies run.
 namespace memory {
 
+std::size_t free();
 /// Null where the device has no more.
 void* allocate(std::size_t bytes);
 /// False where nothing was allocated there.

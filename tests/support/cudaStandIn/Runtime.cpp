@@ -174,6 +174,13 @@ cudaError_t cudaGetDevice(int* device)
     return cudaSuccess;
 }
 
+cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* total)
+{
+    *free = memory::free();
+    *total = memoryBytes;
+    return state();
+}
+
 cudaError_t cudaMalloc(void** allocated, std::size_t bytes)
 {
     cudaError_t error;
