@@ -140,7 +140,7 @@ public:
     using Team = CudaTeam;
     static constexpr bool sharesMemory = false;
 
-    CudaExecutor(int, std::size_t)
+    CudaExecutor()
     {
         cudaStream_t stream = nullptr;
         // A blocking stream: the plain copies of toDevice and toHost keep their order with it.

@@ -40,7 +40,7 @@ protected:
             executor.synchronize();
         });
     }
-    CudaExecutor executor{1, 0};
+    CudaExecutor executor;
 };
 
 /// Every thread writes its number and reads that of the thread on the other side.
