@@ -26,6 +26,7 @@ void applyOptions(const fpm::Run& run, fpm::Control& control)
                             : precision == "mixed" ? fpm::Precision::mixed
                                                    : fpm::Precision::single;
     if (const auto threads = run.integer("threads", 0, 4096)) control.threads = int(*threads);
+    if (const auto device = run.integer("device", 0, 1023)) control.device = int(*device);
 }
 
 } // namespace
@@ -40,6 +41,7 @@ int main(int argc, char** argv)
         "system/controlDict",
         {{"backend", "<word>", "serial, openmp or cuda"},
          {"threads", "<n>", "threads of openmp; 0: as many as cores are idle"},
+         {"device", "<n>", "number of the GPU of cuda; 0"},
          {"simd", "<word>", "auto, scalar, avx2 or avx512"},
          {"precision", "<word>", "double, mixed or single"},
          {"maxSteps", "<n>", "end after n steps"},

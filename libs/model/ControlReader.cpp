@@ -102,6 +102,7 @@ void readMachine(const Dictionary& dictionary, Control& control)
 {
     control.backend = dictionary.choiceOr("backend", "openmp", {"serial", "openmp", "cuda"});
     control.threads = int(dictionary.integerOr("threads", 0, 0, 4096));
+    control.device = int(dictionary.integerOr("device", 0, 0, 1023));
     control.simd = dictionary.choiceOr("simd", "auto", {"auto", "scalar", "avx2", "avx512"});
     const std::string precision =
         dictionary.choiceOr("precision", "double", {"double", "mixed", "single"});

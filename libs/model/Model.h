@@ -155,6 +155,7 @@ struct Control {
     double energyWarning = 0.01, energyStop = 0.05;
     std::string backend = "openmp"; ///< serial openmp cuda
     int threads = 0;                ///< 0 = as many as cores are idle
+    int device = 0;                 ///< number of the GPU
     std::string simd = "auto";      ///< auto scalar avx2 avx512
     Precision precision = Precision::double_;
     Assembly assembly = Assembly::patch;

@@ -29,6 +29,16 @@ FPM_KERNEL void add64(std::int64_t* target, std::int64_t value, [[maybe_unused]]
     atomicAdd64(target, value);
 }
 
+/// *source, which other threads may exchange meanwhile.
+FPM_KERNEL Index atomicLoadIndex(const Index* source)
+{
+#ifdef __CUDA_ARCH__
+    return *static_cast<const volatile Index*>(source); // ld.volatile is a relaxed load
+#else
+    return __atomic_load_n(source, __ATOMIC_RELAXED);
+#endif
+}
+
 /// Puts `value` into *target and returns what was there.
 FPM_KERNEL Index atomicExchangeIndex(Index* target, Index value)
 {

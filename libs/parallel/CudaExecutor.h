@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fpm {
@@ -69,7 +70,16 @@ __global__ void __launch_bounds__(threadsPerBlock) launchEach(Index count, Kerne
     if (i < count) kernel(i);
 }
 
-/// Blocks that a multiprocessor should hold at once, where a kernel tells: registers are shared.
+/// Threads of a block, and blocks that a multiprocessor should hold at once, where a kernel tells:
+/// registers are shared.
+template <class Kernel>
+constexpr int threadsOf()
+{
+    if constexpr (requires { Kernel::threads; })
+        return Kernel::threads;
+    else
+        return threadsPerBlock;
+}
 template <class Kernel>
 constexpr int blocksPerProcessor()
 {
@@ -80,7 +90,7 @@ constexpr int blocksPerProcessor()
 }
 
 template <class Kernel>
-__global__ void __launch_bounds__(threadsPerBlock, blocksPerProcessor<Kernel>())
+__global__ void __launch_bounds__(threadsOf<Kernel>(), blocksPerProcessor<Kernel>())
     launchBlocks(Kernel kernel)
 {
     extern __shared__ __align__(128) std::byte blockScratch[];
@@ -97,6 +107,32 @@ struct CudaRelease {
 template <class Handle>
 using CudaOwned = std::unique_ptr<std::remove_pointer_t<Handle>, CudaRelease>;
 
+/// Records what is launched on a stream, until end() or, where that is not reached, until it goes:
+/// a stream that goes on recording would refuse all that follows, and its own end.
+class CudaCapture
+{
+public:
+    explicit CudaCapture(cudaStream_t stream) : stream_(stream)
+    {
+        checkCuda(cudaStreamBeginCapture(stream_, cudaStreamCaptureModeThreadLocal), "graph");
+    }
+    CudaCapture(const CudaCapture&) = delete;
+    ~CudaCapture()
+    {
+        cudaGraph_t left = nullptr;
+        if (stream_ && cudaStreamEndCapture(stream_, &left) == cudaSuccess) cudaGraphDestroy(left);
+    }
+    CudaOwned<cudaGraph_t> end()
+    {
+        cudaGraph_t graph = nullptr;
+        checkCuda(cudaStreamEndCapture(std::exchange(stream_, nullptr), &graph), "graph");
+        return CudaOwned<cudaGraph_t>(graph);
+    }
+
+private:
+    cudaStream_t stream_; ///< null after the end
+};
+
 /// Launches on one stream of the current device. Allocation is plain cudaMalloc, at set-up only.
 class CudaExecutor
 {
@@ -104,7 +140,7 @@ public:
     using Team = CudaTeam;
     static constexpr bool sharesMemory = false;
 
-    CudaExecutor(int, std::size_t)
+    CudaExecutor()
     {
         cudaStream_t stream = nullptr;
         // A blocking stream: the plain copies of toDevice and toHost keep their order with it.
@@ -116,20 +152,17 @@ public:
     void parallelFor(Index count, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        launch(launchEach<Kernel>, unsigned(blocksOf(count, threadsPerBlock)), 0, count, kernel);
+        launch(launchEach<Kernel>, unsigned(blocksOf(count, threadsPerBlock)), threadsPerBlock, 0,
+               count, kernel);
     }
     template <class Kernel>
     void parallelBlocks(Index count, std::size_t scratchBytes, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        if (cudaFuncSetAttribute(launchBlocks<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize,
-                                 int(scratchBytes))
-            != cudaSuccess)
-            throw Error(ExitCode::device,
-                        "a patch needs " + std::to_string(scratchBytes)
-                            + " bytes of shared memory, more than this GPU gives to a block",
-                        "run on the CPU, or on a GPU of compute capability 9.0 or later");
-        launch(launchBlocks<Kernel>, unsigned(count), scratchBytes, kernel);
+        const cudaError_t status = cudaFuncSetAttribute(
+            launchBlocks<Kernel>, cudaFuncAttributeMaxDynamicSharedMemorySize, int(scratchBytes));
+        if (status != cudaSuccess) refuseShared(scratchBytes, status);
+        launch(launchBlocks<Kernel>, unsigned(count), threadsOf<Kernel>(), scratchBytes, kernel);
     }
     void synchronize() const { checkCuda(cudaStreamSynchronize(stream_.get()), "time step"); }
     static bool alone() { return false; }
@@ -180,6 +213,18 @@ public:
         return stepsTimed_ > 0 ? double(stepsDone_) / double(stepsTimed_) : 1;
     }
 
+    /// Refuses what would not fit the device, before a part of it is allocated.
+    static void requireMemory(std::size_t bytes)
+    {
+        std::size_t free = 0, total = 0;
+        checkCuda(cudaMemGetInfo(&free, &total), "free memory");
+        if (bytes <= free) return;
+        const auto mebibytes = [](std::size_t n) { return std::to_string(n >> 20); };
+        throw Error(ExitCode::device,
+                    "the model needs " + mebibytes(bytes) + " MiB of device memory; "
+                        + mebibytes(free) + " of this GPU's " + mebibytes(total) + " MiB are free",
+                    "use -precision mixed, another -device, fewer elements or -backend openmp");
+    }
     static void* allocate(std::size_t bytes)
     {
         void* memory = nullptr;
@@ -205,20 +250,37 @@ private:
         CudaOwned<cudaEvent_t> begin, end;
     };
 
-    /// kernel<<<blocks, threadsPerBlock, scratchBytes>>>(arguments...) as a call of the runtime, so
+    /// kernel<<<blocks, threads, scratchBytes>>>(arguments...) as a call of the runtime, so
     /// that no syntax of nvcc's own is needed: any compiler and any runtime of these names will do.
     template <class... Expected, class... Arguments>
     void launch(void (*kernel)(Expected...),
                 unsigned blocks,
+                unsigned threads,
                 std::size_t scratchBytes,
                 const Arguments&... arguments) const
     {
         cudaLaunchConfig_t shape{};
         shape.gridDim = dim3(blocks);
-        shape.blockDim = dim3(threadsPerBlock);
+        shape.blockDim = dim3(threads);
         shape.dynamicSmemBytes = scratchBytes;
         shape.stream = stream_.get();
         checkCuda(cudaLaunchKernelEx(&shape, kernel, arguments...), "kernel launch");
+    }
+    /// Says why a kernel cannot have its shared memory: the GPU gives a block less, or something
+    /// else.
+    static void refuseShared(std::size_t bytes, cudaError_t status)
+    {
+        int device = 0, most = 0;
+        checkCuda(cudaGetDevice(&device), "current device");
+        checkCuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
+                  "device attribute");
+        if (bytes <= std::size_t(most)) checkCuda(status, "shared memory of a kernel");
+        throw Error(ExitCode::device,
+                    "a patch needs " + std::to_string(bytes)
+                        + " bytes of shared memory, this GPU "
+                          "gives "
+                        + std::to_string(most) + " to a block",
+                    "run on the CPU, or on a GPU of compute capability 9.0 or later");
     }
     CudaOwned<cudaEvent_t> stamp() const
     {
@@ -231,14 +293,12 @@ private:
     template <class Begin, class Step>
     void record(const Begin& begin, const Step& step)
     {
-        checkCuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "graph");
+        CudaCapture capture(stream_.get());
         begin();
         for (std::int64_t i = 0; i < stepsPerGraph; ++i) step();
-        cudaGraph_t graph = nullptr;
-        checkCuda(cudaStreamEndCapture(stream_.get(), &graph), "graph");
-        const CudaOwned<cudaGraph_t> owned(graph);
+        const CudaOwned<cudaGraph_t> graph = capture.end();
         cudaGraphExec_t executable = nullptr;
-        checkCuda(cudaGraphInstantiate(&executable, graph, 0), "graph");
+        checkCuda(cudaGraphInstantiate(&executable, graph.get(), 0), "graph");
         graph_.reset(executable);
     }
     void readSamples()

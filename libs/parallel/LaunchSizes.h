@@ -5,13 +5,14 @@
 namespace fpm {
 
 // Sizes that kernels, executors and the set-up of a run agree on, each for one meaning. Those of
-// sums belong to the results: they say which values are added first. `threadsPerBlock` does not.
+// sums belong to the results: they say which values are added first. Numbers of threads do not.
 
 /// Steps between two looks of the host at the clock; on a GPU they are recorded as one graph.
 inline constexpr std::int64_t stepsPerGraph = 10;
 
-/// Threads of a CUDA thread block.
-inline constexpr int threadsPerBlock = 256;
+/// Threads of a CUDA thread block, and of kernels that need most registers and wait at barriers: a
+/// second block of these has work for the multiprocessor meanwhile.
+inline constexpr int threadsPerBlock = 256, threadsPerSmallBlock = 128;
 
 /// Elements of a patch at most: a patch is the work of one team.
 inline constexpr Index patchCapacity = 256;

@@ -11,6 +11,8 @@ class Memory
 {
 public:
     virtual ~Memory() = default;
+    /// Throws Error(device) where so much would not fit.
+    virtual void require(std::size_t) const {}
     virtual void* allocate(std::size_t bytes) const = 0;
     virtual void release(void* memory) const = 0;
     virtual void toDevice(void* to, const void* from, std::size_t bytes) const = 0;
@@ -21,6 +23,10 @@ template <class Executor>
 class MemoryOf final : public Memory
 {
 public:
+    void require(std::size_t bytes) const override
+    {
+        if constexpr (requires { Executor::requireMemory(bytes); }) Executor::requireMemory(bytes);
+    }
     void* allocate(std::size_t bytes) const override { return Executor::allocate(bytes); }
     void release(void* memory) const override { Executor::release(memory); }
     void toDevice(void* to, const void* from, std::size_t bytes) const override

@@ -51,6 +51,12 @@ void shareNodes(SolverSetUp& data)
         fixed |= listedNode;
         data.nodes.listed.push_back(Index(node));
     }
+    for (const KernelGroup& group : data.elements.groups)
+        for (const Index number : group.patches) {
+            PatchHeader& patch = data.elements.patches[std::size_t(number)];
+            const auto first = data.nodes.fixed.begin() + patch.firstNode;
+            patch.movesInterior = std::count(first, first + patch.interiorCount, 0) > 0;
+        }
 }
 
 SolverSetUp makeSetUp(const Model& model, bool audit)

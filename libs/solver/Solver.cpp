@@ -1,6 +1,7 @@
 #include "solver/Solver.h"
 
 #include "base/Hash.h"
+#include "parallel/CountedMemory.h"
 #include "parallel/LaunchSizes.h"
 
 #include <algorithm>
@@ -27,6 +28,19 @@ StepSettings settingsOf(const Model& model, const SolverSetUp& setUp, bool audit
     return out;
 }
 
+/// Memory of the backend, once it has said that the fields of the run will fit.
+const Memory& fitting(const Backend& backend,
+                      const SolverSetUp& setUp,
+                      const std::vector<Point>& points,
+                      const NumberTypes& numbers)
+{
+    if (!backend.sharesMemory()) {
+        const CountedMemory counted;
+        backend.memory().require(SolverFields(setUp, points, counted, numbers).bytes());
+    }
+    return backend.memory();
+}
+
 } // namespace
 
 Solver::Solver(const Model& model, Machine machine, bool audit)
@@ -34,7 +48,10 @@ Solver::Solver(const Model& model, Machine machine, bool audit)
       backend_(*machine_.backend),
       setUp_(makeSetUp(model, audit)),
       settings_(settingsOf(model, setUp_, audit)),
-      fields_(setUp_, model.mesh.points, backend_.memory(), machine_.numbers),
+      fields_(setUp_,
+              model.mesh.points,
+              fitting(backend_, setUp_, model.mesh.points, machine_.numbers),
+              machine_.numbers),
       launches_(machine_.launches(setUp_, fields_, settings_)),
       elements_(setUp_.elements, fields_.elements, *launches_.elements, backend_),
       nodes_(setUp_.nodes, fields_.nodes, *launches_.motion, backend_),

@@ -6,8 +6,8 @@ namespace fpm::bench {
 
 Bandwidth bandwidthOfGpu(Index count, int repeats)
 {
-    cudaDeviceName(); // refuses a machine without a GPU
-    return bandwidth(CudaExecutor(1, 0), count, repeats);
+    useCudaDevice(0); // refuses a machine without a GPU
+    return bandwidth(CudaExecutor(), count, repeats);
 }
 
 } // namespace fpm::bench

@@ -112,7 +112,7 @@ struct InsertFace {
         for (int c = 0; c < 3; ++c) cell[c] = CellLists::cellOf(middle[c], size);
         cells.insert(face, cells.list(cell[0], cell[1], cell[2], level),
                      CellLists::nameOf(cell[0], cell[1], cell[2], level));
-        if (*last < 0) atomicExchangeIndex(last, face); // whichever: there are some
+        if (atomicLoadIndex(last) < 0) atomicExchangeIndex(last, face); // whichever: there are some
     }
 };
 

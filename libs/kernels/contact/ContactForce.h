@@ -36,20 +36,13 @@ struct ContactForce {
         if (total.each)
             team.forEach(3 * size, [=](Index k) { total.each[3 * std::size_t(first) + k] = 0; });
         team.barrier();
-        team.template forEachBatch<Work>(size, [&](Index e) {
-            const SteadyContactors<Numbers, T> steady(pass, first + e);
-            for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
-                const Index i = first + e + lane;
-                if (i >= pass.contactorCount) continue;
-                const Index face = pass.face[i];
-                if (steady.holds(lane))
-                    applyForces(i, steady.tracked(lane, face), total);
-                else if (face >= 0)
-                    applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
-                else if (face == noFace)
-                    open(i, Work(1));
-            }
-        });
+        // As a function of its own it would have the arguments by address: every thread of a GPU
+        // copies them to local memory, and no pointer read there is known to be a global one.
+        const auto each = [&](Index e) __attribute__((always_inline))
+        {
+            applyForcesOfBatch<T>(first + e, total);
+        };
+        team.template forEachBatch<Work>(size, each);
     }
 
 private:
@@ -59,6 +52,23 @@ private:
         Work thickness;
     };
 
+    /// Contactors first ... first + lanes of T - 1, those that there are.
+    template <class T>
+    FPM_KERNEL void applyForcesOfBatch(Index first, const BlockForce& total) const
+    {
+        const SteadyContactors<Numbers, T> steady(pass, first);
+        for (int lane = 0; lane < NumberTraits<T>::lanes; ++lane) {
+            const Index i = first + lane;
+            if (i >= pass.contactorCount) continue;
+            const Index face = pass.face[i];
+            if (steady.holds(lane))
+                applyForces(i, steady.tracked(lane, face), total);
+            else if (face >= 0)
+                applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
+            else if (face == noFace)
+                open(i, Work(1));
+        }
+    }
     /// Spring, friction and damping against the face found now.
     FPM_KERNEL void applyForces(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {

@@ -11,7 +11,7 @@ inline constexpr int displacementValues = 3;
 
 /// How far the contact nodes have come since their positions were remembered, or a little further,
 /// how fast they are, and how much rounding may have to do with the former: largest square of a
-/// block of nodes. One index = one block; the same in any order. Remembered are the place of the
+/// block of nodes. One team = one block; the same in any order. Remembered are the place of the
 /// block's first node and from there the offsets of all as floats, whose rounding is added to the
 /// way: much where a block has nodes of bodies that lie a million element sizes apart.
 template <class Numbers>
@@ -28,32 +28,59 @@ struct ReferenceDisplacement {
     /// Of a double that is kept as a float, and of the subtractions around it.
     static constexpr double rounding = 6e-8;
 
-    FPM_KERNEL void operator()(Index block) const
+    static constexpr std::size_t scratch()
     {
-        double distance = 0, speed = 0, most = 0;
+        return displacementValues * (contactBlock + reductionGroups) * sizeof(double);
+    }
+
+    template <class Team>
+    FPM_KERNEL void operator()(const Team& team, Index block) const
+    {
+        constexpr Index lanes = Team::oneThread ? 1 : contactBlock,
+                        groups = Team::oneThread ? 1 : reductionGroups;
+        double* ofLane = reinterpret_cast<double*>(team.scratch()); // [value][lane]
+        double* ofGroup = ofLane + displacementValues * lanes;
         const Index first = contactBlock * block,
                     last = first + contactBlock < count ? first + contactBlock : count;
-        for (Index i = first; i < last; ++i) {
-            double d2 = 0, v2 = 0, r2 = 0;
-            for (int c = 0; c < 3; ++c) {
-                const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
-                const double offset = double(referenceOffset[c * std::size_t(count) + i]),
-                             displacement =
-                                 double(position[at]) - referenceOrigin[3 * block + c] - offset,
-                             r = rounding * magnitude(offset), d = magnitude(displacement) + r;
-                const double v = double(velocity[at]);
-                d2 += d * d;
-                v2 += v * v;
-                r2 += r * r;
-            }
-            distance = d2 > distance ? d2 : distance;
-            speed = v2 > speed ? v2 : speed;
-            most = r2 > most ? r2 : most;
-        }
+        team.forEach(lanes, [&](Index lane) {
+            double most[displacementValues] = {};
+            for (Index i = first + lane; i < last; i += lanes) include(i, block, most);
+            for (int k = 0; k < displacementValues; ++k) ofLane[k * lanes + lane] = most[k];
+        });
+        team.barrier();
+        team.forEach(displacementValues * groups, [=](Index k) {
+            ofGroup[k] = largest(ofLane + k / groups * lanes, k % groups, lanes, groups);
+        });
+        team.barrier();
         double* out = travel + displacementValues * std::size_t(block);
-        out[0] = distance;
-        out[1] = speed;
-        out[2] = most;
+        team.forEach(displacementValues,
+                     [=](Index k) { out[k] = largest(ofGroup + k * groups, 0, groups, 1); });
+    }
+
+private:
+    FPM_KERNEL void include(Index i, Index block, double (&most)[displacementValues]) const
+    {
+        double d2 = 0, v2 = 0, r2 = 0;
+        for (int c = 0; c < 3; ++c) {
+            const std::size_t at = c * nodeStride + std::size_t(nodes[i]);
+            const double offset = double(referenceOffset[c * std::size_t(count) + i]),
+                         displacement =
+                             double(position[at]) - referenceOrigin[3 * block + c] - offset,
+                         r = rounding * magnitude(offset), d = magnitude(displacement) + r;
+            const double v = double(velocity[at]);
+            d2 += d * d;
+            v2 += v * v;
+            r2 += r * r;
+        }
+        most[0] = d2 > most[0] ? d2 : most[0];
+        most[1] = v2 > most[1] ? v2 : most[1];
+        most[2] = r2 > most[2] ? r2 : most[2];
+    }
+    FPM_KERNEL static double largest(const double* values, Index first, Index end, Index stride)
+    {
+        double most = 0;
+        for (Index i = first; i < end; i += stride) most = values[i] > most ? values[i] : most;
+        return most;
     }
 };
 

@@ -17,6 +17,7 @@ struct PatchHeader {
     Index interiorCount;   ///< its first nodes, numbered in a row: no other patch touches them
     Index firstPartialSum; ///< one for each of its other nodes
     Index material;
+    Index movesInterior; ///< 1: some of its interior nodes are moved with it, not by NodeMotion
     Index corners, cornerStarts, slotCorners; ///< where the tables of its shape begin
     std::size_t state, strains;               ///< where the state of the patch begins (StateLayout)
 };
@@ -64,12 +65,14 @@ struct ElementForces {
     const StepClock* clock;
     std::int64_t* deletions; ///< changes when an element is deleted
     Work strainPoint;
-    bool movesInterior; ///< rather than NodeMotion
 
-    /// Of a GPU: with 128 registers a thread two blocks share a multiprocessor. Eight points need
-    /// twice as many, and so do doubles.
-    static constexpr int blocksPerProcessor =
-        sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration> ? 2 : 1;
+    /// Of a GPU: with 128 registers a thread four small blocks share a multiprocessor. Eight points
+    /// need twice as many, and so do doubles.
+    static constexpr int threads = threadsPerSmallBlock,
+                         blocksPerProcessor =
+                             sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration>
+                                 ? 4
+                                 : 2;
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
@@ -82,7 +85,7 @@ struct ElementForces {
         Work* sums = forces + 24 * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
-        if (movesInterior && clock->steps > 0) { // forces are known after the start
+        if (patch.movesInterior && clock->steps > 0) { // forces are known after the start
             nodes.advance(team, std::size_t(patch.firstNode), patch.interiorCount, *clock);
             team.barrier();
         }

@@ -4,7 +4,23 @@
 
 namespace fpm {
 
-std::string cudaDeviceName()
+namespace {
+
+/// "0 NVIDIA H200, 1 NVIDIA H200"
+std::string deviceNames(int count)
+{
+    std::string all;
+    for (int number = 0; number < count; ++number) {
+        cudaDeviceProp properties{};
+        checkCuda(cudaGetDeviceProperties(&properties, number), "device properties");
+        all += format("{}{} {}", number > 0 ? ", " : "", number, properties.name);
+    }
+    return all;
+}
+
+} // namespace
+
+std::string useCudaDevice(int number)
 {
     int count = 0;
     const cudaError_t status = cudaGetDeviceCount(&count);
@@ -13,24 +29,29 @@ std::string cudaDeviceName()
                     format("no usable GPU: {}",
                            status == cudaSuccess ? "none found" : cudaGetErrorString(status)),
                     "use -backend openmp or serial, or check the driver with nvidia-smi");
+    if (number >= count)
+        throw Error(ExitCode::device,
+                    format("no GPU {}; this machine has {}", number, deviceNames(count)),
+                    "give one of these numbers as -device, or as device in system/controlDict");
+    checkCuda(cudaSetDevice(number), "choice of the device");
     cudaDeviceProp properties{};
-    checkCuda(cudaGetDeviceProperties(&properties, 0), "device properties");
+    checkCuda(cudaGetDeviceProperties(&properties, number), "device properties");
     return properties.name;
 }
 
 Machine makeCudaMachine(const Control& control)
 {
-    // Refuses a machine without a GPU before anything is allocated.
-    const std::string description = "cuda, " + cudaDeviceName() + ", ";
+    // Refuses a machine without this GPU before anything is allocated.
+    const std::string description = "cuda, " + useCudaDevice(control.device) + ", ";
     switch (control.precision) {
     case Precision::single:
-        return machineOf<SinglePrecision>(CudaExecutor(1, 0), description + SinglePrecision::name);
+        return machineOf<SinglePrecision>(CudaExecutor(), description + SinglePrecision::name);
     case Precision::mixed:
-        return machineOf<MixedPrecision>(CudaExecutor(1, 0), description + MixedPrecision::name);
+        return machineOf<MixedPrecision>(CudaExecutor(), description + MixedPrecision::name);
     case Precision::double_:
         break;
     }
-    return machineOf<DoublePrecision>(CudaExecutor(1, 0), description + DoublePrecision::name);
+    return machineOf<DoublePrecision>(CudaExecutor(), description + DoublePrecision::name);
 }
 
 } // namespace fpm

@@ -9,7 +9,7 @@ Machine makeCudaMachine(const Control&)
                 "use -backend openmp or serial, or build where nvcc is found");
 }
 
-std::string cudaDeviceName()
+std::string useCudaDevice(int)
 {
     throw Error(ExitCode::device, "this build has no CUDA backend");
 }

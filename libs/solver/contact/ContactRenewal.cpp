@@ -45,6 +45,7 @@ bool ContactRenewal::follow(const std::vector<bool>& deleted)
     if (setUp_.nodes.movedByPatches) {
         shareNodes(setUp_);
         fields_.nodes.renewListed(setUp_.nodes);
+        fields_.elements.patches.fromHost(setUp_.elements.patches);
     }
     return true;
 }

@@ -58,13 +58,13 @@ public:
     {
         ContactFields& c = on_.fields.contact;
         NodeFields& n = on_.fields.nodes;
-        on_.executor.parallelFor(Index(c.blocks()),
-                                 ReferenceDisplacement<Numbers>{
-                                     Index(c.nodes.size()), c.nodes.data(),
-                                     n.position.data<Position>(),
-                                     n.velocity.data<typename Numbers::Motion>(),
-                                     std::size_t(on_.setUp.nodes.count), c.referenceOrigin.data(),
-                                     c.referenceOffset.data(), c.referenceDisplacement.data()});
+        on_.executor.parallelBlocks(
+            Index(c.blocks()), ReferenceDisplacement<Numbers>::scratch(),
+            ReferenceDisplacement<Numbers>{
+                Index(c.nodes.size()), c.nodes.data(), n.position.data<Position>(),
+                n.velocity.data<typename Numbers::Motion>(), std::size_t(on_.setUp.nodes.count),
+                c.referenceOrigin.data(), c.referenceOffset.data(),
+                c.referenceDisplacement.data()});
         for (std::size_t place = 0; place < c.passLists.size(); ++place)
             checkPass(on_.executor, checkOf(place, steps));
         on_.executor.parallelFor(

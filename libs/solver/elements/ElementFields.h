@@ -14,7 +14,7 @@ struct ElementFields : FieldSet {
                   const Memory& memory,
                   const NumberTypes& numbers);
 
-    Field<PatchHeader> patches{*this, {"patches", Location::patch, Role::constant}};
+    Field<PatchHeader> patches{*this, {"patches", Location::patch, Role::derived}};
     /// MaterialConstants of the working type, as bytes.
     Field<std::byte> materials{*this, {"materials", Location::table, Role::constant}};
     /// Patches of all kernel groups in a row, those of group g from groupStart[g] on.

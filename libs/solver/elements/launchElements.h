@@ -76,8 +76,7 @@ private:
             .patchStep = e.patchStep.data(),
             .clock = clock,
             .deletions = &clock->deletions,
-            .strainPoint = Work(on_.settings.midStepStrain ? 0.5 : 1.0),
-            .movesInterior = nodes.movedByPatches};
+            .strainPoint = Work(on_.settings.midStepStrain ? 0.5 : 1.0)};
         const ElementSetUp& setUp = on_.setUp.elements;
         on_.executor.parallelBlocks(Index(setUp.groups[group].patches.size()),
                                     elementScratch<Work>(setUp.maxPatchNodes), kernel);

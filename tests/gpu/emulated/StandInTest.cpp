@@ -40,7 +40,7 @@ protected:
             executor.synchronize();
         });
     }
-    CudaExecutor executor{1, 0};
+    CudaExecutor executor;
 };
 
 /// Every thread writes its number and reads that of the thread on the other side.
@@ -156,6 +156,13 @@ TEST_F(StandIn, SharedMemoryHasALimit)
     EXPECT_NE(failureOf(WriteBehind{0}, 227 * 1024 + 1).find("a patch needs"), std::string::npos);
 }
 
+TEST_F(StandIn, AKernelThatFailedIsNotTooLittleSharedMemory)
+{
+    EXPECT_NE(failureOf(HalfWaits{}), "");
+    EXPECT_NE(failureOf(WriteBehind{0}).find("shared memory of a kernel: 128 of 256 threads wait"),
+              std::string::npos);
+}
+
 struct Store {
     Index* out;
     Index at, value;
@@ -245,6 +252,23 @@ TEST_F(StandIn, AGraphReplaysWhatWasRecorded)
     EXPECT_EQ(out.toHost()[0], 1030);
 }
 
+TEST_F(StandIn, AnExceptionInTheStepsEndsTheRecording)
+{
+    Device<Index> out(1);
+    const auto steps = [&](bool fails) {
+        executor.repeat(
+            stepsPerGraph, [] {},
+            [&] {
+                if (fails) throw Error(ExitCode::internal, "on the way");
+                executor.parallelFor(1, Count{out.data(), 1});
+            });
+    };
+    steps(false); // launched plainly, as a sample
+    EXPECT_EQ(messageOf([&] { steps(true); }), "on the way");
+    steps(false);
+    EXPECT_EQ(out.toHost()[0], 2 * stepsPerGraph);
+}
+
 TEST_F(StandIn, WhatCannotBeRecordedFailsAndEndsTheRecording)
 {
     Device<Index> out(1);
@@ -292,6 +316,18 @@ TEST_F(StandIn, ImpossibleLaunchesAndCopiesFail)
 TEST_F(StandIn, AModelThatDoesNotFitIsRefused)
 {
     EXPECT_NE(messageOf([] { CudaExecutor::allocate(std::size_t(5) << 30); }).find("out of memory"),
+              std::string::npos);
+}
+
+TEST_F(StandIn, AModelThatWouldNotFitIsRefusedBeforeAnythingIsAllocated)
+{
+    std::size_t before = 0, free = 0, total = 0;
+    ASSERT_EQ(cudaMemGetInfo(&before, &total), cudaSuccess);
+    Device<double> held(1000);
+    ASSERT_EQ(cudaMemGetInfo(&free, &total), cudaSuccess);
+    EXPECT_EQ(free, before - held.bytes());
+    EXPECT_EQ(messageOf([=] { CudaExecutor::requireMemory(free); }), "");
+    EXPECT_NE(messageOf([=] { CudaExecutor::requireMemory(free + 1); }).find("4096 MiB are free"),
               std::string::npos);
 }
 

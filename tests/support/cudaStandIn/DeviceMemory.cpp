@@ -57,6 +57,11 @@ bool intact(const std::byte* first, const std::byte* last)
 
 } // namespace
 
+std::size_t free()
+{
+    return memoryBytes - used;
+}
+
 void* allocate(std::size_t bytes)
 {
     if (bytes == 0 || bytes > memoryBytes - used) return nullptr;

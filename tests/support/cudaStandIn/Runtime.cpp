@@ -36,6 +36,9 @@ std::map<const void*, std::size_t>& allowedShared()
     return all;
 }
 cudaStream_t capturing = nullptr;
+/// Two that share all there is; which one works shows in its name alone.
+constexpr int devices = 2;
+int currentDevice = 0;
 
 /// A failed kernel fails everything after it.
 cudaError_t state()
@@ -110,6 +113,7 @@ cudaError_t cudaStandIn::enqueue(const cudaLaunchConfig_t& config, Launch launch
 cudaError_t
 cudaStandIn::allowSharedBytes(const void* kernel, cudaFuncAttribute attribute, int bytes)
 {
+    if (state() != cudaSuccess) return state();
     if (attribute != cudaFuncAttributeMaxDynamicSharedMemorySize || bytes < 0
         || std::size_t(bytes) > mostSharedBytes)
         return cudaErrorInvalidValue;
@@ -128,6 +132,8 @@ const char* cudaGetErrorString(cudaError_t error)
         return "out of memory";
     case cudaErrorInvalidConfiguration:
         return "invalid configuration argument";
+    case cudaErrorInvalidDevice:
+        return "invalid device ordinal";
     case cudaErrorInvalidMemcpyDirection:
         return "invalid copy direction for memcpy";
     case cudaErrorInvalidResourceHandle:
@@ -148,15 +154,44 @@ const char* cudaGetErrorString(cudaError_t error)
 
 cudaError_t cudaGetDeviceCount(int* count)
 {
-    *count = 1;
+    *count = devices;
     return cudaSuccess;
 }
 
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int device)
 {
-    if (device != 0) return cudaErrorInvalidValue;
-    std::snprintf(properties->name, sizeof properties->name, "emulated by the processor");
+    if (device < 0 || device >= devices) return cudaErrorInvalidDevice;
+    std::snprintf(properties->name, sizeof properties->name, "%s emulated by the processor",
+                  device == 0 ? "first" : "second");
     return cudaSuccess;
+}
+
+cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int device)
+{
+    if (device < 0 || device >= devices || attribute != cudaDevAttrMaxSharedMemoryPerBlockOptin)
+        return cudaErrorInvalidValue;
+    *value = int(mostSharedBytes);
+    return cudaSuccess;
+}
+
+cudaError_t cudaGetDevice(int* device)
+{
+    *device = currentDevice;
+    return cudaSuccess;
+}
+
+cudaError_t cudaSetDevice(int device)
+{
+    if (device < 0 || device >= devices) return cudaErrorInvalidDevice;
+    currentDevice = device;
+    return cudaSuccess;
+}
+
+cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* total)
+{
+    *free = memory::free();
+    *total = memoryBytes;
+    return state();
 }
 
 cudaError_t cudaMalloc(void** allocated, std::size_t bytes)

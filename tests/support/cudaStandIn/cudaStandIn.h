@@ -60,6 +60,7 @@ enum cudaError_t {
     cudaErrorMemoryAllocation = 2,
     cudaErrorInvalidConfiguration = 9,
     cudaErrorInvalidMemcpyDirection = 21,
+    cudaErrorInvalidDevice = 101,
     cudaErrorInvalidResourceHandle = 400,
     cudaErrorNotReady = 600,
     cudaErrorLaunchFailure = 719,
@@ -70,6 +71,7 @@ enum cudaError_t {
 enum cudaMemcpyKind { cudaMemcpyHostToDevice = 1, cudaMemcpyDeviceToHost = 2 };
 enum cudaStreamCaptureMode { cudaStreamCaptureModeThreadLocal = 1 };
 enum cudaFuncAttribute { cudaFuncAttributeMaxDynamicSharedMemorySize = 8 };
+enum cudaDeviceAttr { cudaDevAttrMaxSharedMemoryPerBlockOptin = 97 };
 
 struct CUstream_st;
 struct CUevent_st;
@@ -97,7 +99,11 @@ struct cudaLaunchConfig_t {
 const char* cudaGetErrorString(cudaError_t error);
 cudaError_t cudaGetDeviceCount(int* count);
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int device);
+cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int device);
+cudaError_t cudaGetDevice(int* device);
+cudaError_t cudaSetDevice(int device);
 
+cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* total);
 cudaError_t cudaMalloc(void** memory, std::size_t bytes);
 cudaError_t cudaFree(void* memory);
 cudaError_t cudaMemset(void* memory, int value, std::size_t bytes);
@@ -122,6 +128,23 @@ cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t begin, cudaEve
 namespace cudaStandIn {
 
 cudaError_t enqueue(const cudaLaunchConfig_t& config, Launch launch);
+
+/// What each thread of a launch does: the kernel as this compiler made it, or its replacement.
+template <class... Expected>
+std::function<void()> threadOf(void (*kernel)(Expected...),
+                               const std::tuple<Expected...>& arguments)
+{
+    if (!replacement) return [kernel, arguments] { std::apply(kernel, arguments); };
+    return [body = replacement(reinterpret_cast<const void*>(kernel)), arguments] {
+        std::apply(
+            [body](const Expected&... argument) {
+                const unsigned char* const places[] = {
+                    reinterpret_cast<const unsigned char*>(&argument)...};
+                body(places);
+            },
+            arguments);
+    };
+}
 cudaError_t allowSharedBytes(const void* kernel, cudaFuncAttribute attribute, int bytes);
 
 } // namespace cudaStandIn
@@ -151,6 +174,6 @@ cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config,
             (launch.addWords(&argument, sizeof argument), ...);
         },
         arguments);
-    launch.thread = [kernel, arguments] { std::apply(kernel, arguments); };
+    launch.thread = cudaStandIn::threadOf(kernel, arguments);
     return cudaStandIn::enqueue(*config, std::move(launch));
 }

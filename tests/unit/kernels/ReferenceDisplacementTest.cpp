@@ -1,5 +1,7 @@
 #include "kernels/contact/ReferenceDisplacement.h"
 
+#include "parallel/CpuExecutor.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,9 +41,10 @@ public:
     double travel(Index block)
     {
         double out[2 * displacementValues];
+        alignas(double) std::byte scratch[ReferenceDisplacement<DoublePrecision>::scratch()];
         ReferenceDisplacement<DoublePrecision>{
             Index(count), nodes_.data(), position_.data(), velocity_.data(),
-            count,        origin_,       offset_,          out}(block);
+            count,        origin_,       offset_,          out}(CpuTeam<64>(scratch), block);
         return std::sqrt(out[displacementValues * block]);
     }
 

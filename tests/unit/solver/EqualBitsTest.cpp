@@ -88,6 +88,13 @@ TEST_P(EqualBits, AChangeOfThreadsOnTheWayDoesNotChangeTheState)
     EXPECT_EQ(stateChecksum(*solver), serial);
 }
 
+Index patchesThatMoveNodes(const Model& model)
+{
+    Index count = 0;
+    for (const PatchHeader& patch : makeSetUp(model).elements.patches) count += patch.movesInterior;
+    return count;
+}
+
 /// Nodes that are held or touch are none of those that patches move themselves.
 TEST_P(EqualBits, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
 {
@@ -98,6 +105,11 @@ TEST_P(EqualBits, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
     EXPECT_TRUE(data.nodes.movedByPatches);
     EXPECT_GT(data.nodes.count, Index(data.nodes.listed.size()) + 30);
     EXPECT_FALSE(makeSetUp(gather).nodes.movedByPatches);
+    Model held = model;
+    holdFixed(held, nodesWhere(held.mesh, [](Point) { return true; }));
+    EXPECT_GT(patchesThatMoveNodes(model), 0);
+    EXPECT_EQ(patchesThatMoveNodes(gather), 0);
+    EXPECT_EQ(patchesThatMoveNodes(held), 0);
     const int steps = 150;
     const std::uint64_t expected = checksumOf(gather, "serial", 1, "scalar", steps);
     for (const char* simd : {"scalar", "avx2", "avx512"}) {

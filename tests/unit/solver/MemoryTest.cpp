@@ -1,3 +1,5 @@
+#include "parallel/CountedMemory.h"
+#include "solver/SolverFields.h"
 #include "solver/elements/PatchTables.h"
 #include "stability/SceneTools.h"
 #include "support/solverModel.h"
@@ -39,6 +41,19 @@ TEST(Memory, ALayeredPlateHoldsAtMostSoMuchAnElement)
 {
     EXPECT_LT(bytesAnElement(layers(4, Precision::double_)), 600);
     EXPECT_LT(bytesAnElement(layers(4, Precision::mixed)), 480);
+}
+
+/// What a GPU is asked for before the arrays are made.
+TEST(Memory, TheBytesOfARunAreKnownBefore)
+{
+    const Model model = layers(4, Precision::double_);
+    const SolverSetUp setUp = makeSetUp(model);
+    const CountedMemory counted;
+    SolverFields fields(setUp, model.mesh.points, counted, numberTypes<DoublePrecision>());
+    const double foreseen = double(fields.bytes()),
+                 held = double(makeSolver(model)->fields().bytes());
+    EXPECT_LE(foreseen, held);
+    EXPECT_GT(foreseen, 0.99 * held); // but for contact lists
 }
 
 TEST(Memory, PatchesOfOneShapeShareTheirTables)
