@@ -11,46 +11,7 @@ static std::vector<MaterialConstants<Work>>
 convertedMaterials(const std::vector<MaterialConstants<double>>& from)
 {
     std::vector<MaterialConstants<Work>> out;
-    for (const MaterialConstants<double>& m : from) {
-        MaterialConstants<Work> to{Work(m.lambda),
-                                   Work(m.twoMu),
-                                   Work(m.threeMu),
-                                   Work(m.pressureWaveModulus),
-                                   Work(m.young),
-                                   Work(m.poisson),
-                                   Work(m.linearViscosity),
-                                   Work(m.quadraticViscosity),
-                                   Work(m.hourglass),
-                                   Work(m.coupledHourglass),
-                                   m.rows,
-                                   m.floatHourglass,
-                                   {},
-                                   {},
-                                   {},
-                                   {}};
-        const GeneralConstants<double>& g = m.general;
-        to.general = {g.rotation,
-                      Work(g.kinematicModulus),
-                      Work(g.powerModulus),
-                      Work(g.powerExponent),
-                      g.rateLaw,
-                      Work(g.referenceRate),
-                      Work(g.rateCoefficient),
-                      Work(g.heatPerWork),
-                      Work(g.temperature),
-                      Work(g.softeningExponent),
-                      Work(g.roomTemperature),
-                      Work(g.inverseMeltingRange),
-                      Work(g.erosionStrain),
-                      g.erodes,
-                      g.erodesInverted};
-        for (int row = 0; row < m.rows; ++row) {
-            to.strain[row] = Work(m.strain[row]);
-            to.stress[row] = Work(m.stress[row]);
-            to.slope[row] = Work(m.slope[row]);
-        }
-        out.push_back(to);
-    }
+    for (const MaterialConstants<double>& m : from) out.push_back(m.converted<Work>());
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "kernels/contact/ReferenceDisplacement.h"
 #include "kernels/contact/RigidSurface.h"
 #include "kernels/element/ElementForces.h"
+#include "kernels/element/ElementKernels.h"
 #include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/PressureForces.h"
 #include "kernels/particle/StepClockUpdate.h"
@@ -68,7 +69,7 @@ private:
     void moveClock();
     void relax();
     void launchElements();
-    template <class Material, class Hourglass>
+    template <class Material, class Element>
     void launchElementGroup(std::size_t group);
     void launchContact();
     template <bool friction>
@@ -297,38 +298,17 @@ void ExplicitSolver<Numbers, Executor>::relax()
 template <class Numbers, class Executor>
 void ExplicitSolver<Numbers, Executor>::launchElements()
 {
-    for (std::size_t group = 0; group < data_.groups.size(); ++group) {
-        const bool general = data_.groups[group].general;
-        const bool plastic = data_.groups[group].kind == PartKind::elastoplastic;
-        if (data_.groups[group].hexahedron == HexahedronForm::selective) {
-            launchElementGroup<GeneralPlasticity, SelectiveIntegration>(group);
-            continue;
-        }
-        switch (data_.groups[group].hourglass) {
-        case HourglassForm::stiffness:
-            general   ? launchElementGroup<GeneralPlasticity, StiffnessHourglass>(group)
-            : plastic ? launchElementGroup<J2Plasticity, StiffnessHourglass>(group)
-                      : launchElementGroup<Elastic, StiffnessHourglass>(group);
-            break;
-        case HourglassForm::viscous:
-            general   ? launchElementGroup<GeneralPlasticity, ViscousHourglass>(group)
-            : plastic ? launchElementGroup<J2Plasticity, ViscousHourglass>(group)
-                      : launchElementGroup<Elastic, ViscousHourglass>(group);
-            break;
-        case HourglassForm::physical:
-            general   ? launchElementGroup<GeneralPlasticity, PhysicalHourglass>(group)
-            : plastic ? launchElementGroup<J2Plasticity, PhysicalHourglass>(group)
-                      : launchElementGroup<Elastic, PhysicalHourglass>(group);
-            break;
-        }
-    }
+    for (std::size_t group = 0; group < data_.groups.size(); ++group)
+        visitKernel(data_.groups[group].kernel, [&]<class Material, class Element>() {
+            launchElementGroup<Material, Element>(group);
+        });
 }
 
 template <class Numbers, class Executor>
-template <class Material, class Hourglass>
+template <class Material, class Element>
 void ExplicitSolver<Numbers, Executor>::launchElementGroup(std::size_t group)
 {
-    const ElementForces<Numbers, Material, Hourglass> kernel{
+    const ElementForces<Numbers, Material, Element> kernel{
         .list = state_.groupPatches[group].data(),
         .patches = state_.patches.data(),
         .materials = state_.materials.data(),

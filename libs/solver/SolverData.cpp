@@ -4,6 +4,7 @@
 #include "base/Format.h"
 #include "kernels/particle/Amplitude.h"
 #include "mesh/Quality.h"
+#include "model/PartMaterial.h"
 #include "solver/ModelSizes.h"
 #include "solver/PatchTables.h"
 
@@ -26,7 +27,7 @@ GeneralConstants<double> generalConstants(const Part& part)
     g.erosionStrain = part.erosion.plasticStrain > 0 ? part.erosion.plasticStrain : 1e30;
     const Flow& flow = part.flow;
     g.temperature = flow.temperature;
-    if (part.kind != PartKind::elastoplastic) return g;
+    if (!isPlastic(part.kind)) return g;
     g.kinematicModulus = flow.kinematicModulus;
     g.powerModulus = flow.powerModulus;
     g.powerExponent = flow.powerExponent;
@@ -59,7 +60,7 @@ MaterialConstants<double> materialConstants(const Part& part)
     m.hourglass = part.hourglassCoefficient;
     m.coupledHourglass = part.hourglass == HourglassForm::physical
                                  && part.hourglassPlastic == HourglassPlastic::coupled
-                                 && part.kind == PartKind::elastoplastic
+                                 && isPlastic(part.kind)
                              ? 1
                              : 0;
     static_assert(mostHardeningRows <= std::size_t(maxHardeningRows));
@@ -76,13 +77,8 @@ MaterialConstants<double> materialConstants(const Part& part)
             m.slope[row] = row > 0 ? m.slope[row - 1] : 0;
     }
     m.general = generalConstants(part);
+    if (!isRigid(part.kind)) materialOf(part.kind).constants(part.lawValues.data(), m);
     return m;
-}
-
-bool needsGeneralPlasticity(const Part& part)
-{
-    return part.rotation != RotationForm::midSurface || part.hexahedron == HexahedronForm::selective
-           || part.erosion.any() || (part.kind == PartKind::elastoplastic && part.flow != Flow{});
 }
 
 namespace {
@@ -91,20 +87,16 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
               && int(RotationForm::polar) == int(RotationRule::polar)
               && int(RotationForm::hughesWinget) == int(RotationRule::hughesWinget));
 
-/// What the elements of a part keep from step to step, as the kernel of its group has it.
-StateLayout stateLayout(const Part& part, Precision precision)
+/// What the elements of a part keep from step to step.
+StateLayout layoutOf(const Part& part, const MaterialConstants<double>& m, Precision precision)
 {
-    if (isRigid(part.kind)) return {0, 0, false};
-    const bool plastic = part.kind == PartKind::elastoplastic;
-    StateLayout layout{1, part.hourglass == HourglassForm::viscous ? 0 : 12,
-                       plastic || part.erosion.any(), plastic && part.flow.kinematicModulus > 0,
-                       plastic && part.flow.heatFraction > 0};
-    if (part.hexahedron == HexahedronForm::selective) {
-        layout.points = SelectiveIntegration::points;
-        layout.hourglass = SelectiveIntegration::stateSize;
-    }
-    layout.floatHourglass = layout.hourglass > 0 && precision == Precision::double_
-                            && part.hourglassStorage == HourglassStorage::float_;
+    StateLayout layout{0, 0, false};
+    if (isRigid(part.kind)) return layout;
+    const bool floats =
+        precision == Precision::double_ && part.hourglassStorage == HourglassStorage::float_;
+    visitKernel(kernelOf(part), [&]<class Material, class Element>() {
+        layout = stateLayout<Material, Element>(m, floats);
+    });
     return layout;
 }
 
@@ -124,8 +116,9 @@ void addPatches(SolverData& data, const Model& model, const Patches& patches)
     data.elementPlace.resize(std::size_t(data.elementCount));
     data.elementPatch.resize(std::size_t(data.elementCount));
     for (std::size_t part = 0; part < model.parts.size(); ++part) {
-        data.layouts.push_back(stateLayout(model.parts[part], model.control.precision));
-        data.materials[part].floatHourglass = data.layouts[part].floatHourglass;
+        MaterialConstants<double>& m = data.materials[part];
+        data.layouts.push_back(layoutOf(model.parts[part], m, model.control.precision));
+        m.floatHourglass = data.layouts[part].floatHourglass;
     }
     for (Index element = 0; element < data.elementCount; ++element)
         if (!(volume(model.mesh, element) > 0))
@@ -205,17 +198,10 @@ void addGroups(SolverData& data, const Model& model)
             data.rigidParts = true;
             continue;
         }
-        const bool general = needsGeneralPlasticity(part);
-        const bool selective = part.hexahedron == HexahedronForm::selective;
-        const auto same = [&](const KernelGroup& group) {
-            return group.general == general && (general || group.kind == part.kind)
-                   && group.hexahedron == part.hexahedron
-                   && (selective || group.hourglass == part.hourglass);
-        };
+        const ElementKernel kernel = kernelOf(part);
+        const auto same = [&](const KernelGroup& group) { return group.kernel == kernel; };
         auto group = std::find_if(data.groups.begin(), data.groups.end(), same);
-        if (group == data.groups.end())
-            group = data.groups.insert(group,
-                                       {part.kind, general, part.hexahedron, part.hourglass, {}});
+        if (group == data.groups.end()) group = data.groups.insert(group, {kernel, {}});
         group->patches.push_back(Index(i));
     }
 }

@@ -2,6 +2,7 @@
 
 #include "kernels/contact/RigidSurface.h"
 #include "kernels/element/ElementForces.h"
+#include "kernels/element/ElementKernels.h"
 #include "kernels/particle/BodyNodes.h"
 #include "kernels/particle/Relaxation.h"
 #include "mesh/Patches.h"
@@ -11,10 +12,7 @@ namespace fpm {
 
 /// Patches that share a kernel: same material law and element.
 struct KernelGroup {
-    PartKind kind;
-    bool general; ///< GeneralPlasticity, whatever the kind
-    HexahedronForm hexahedron;
-    HourglassForm hourglass; ///< without meaning for selective
+    ElementKernel kernel;
     std::vector<Index> patches;
 };
 
@@ -162,7 +160,5 @@ void addTopology(ContactPassSetup& pair, const std::vector<Point>& points);
 MaterialConstants<double> materialConstants(const Part& part);
 /// Energy below which the balance of a run is no error but rounding.
 double roundingEnergy(const Model& model);
-/// Whether a part asks for something that only GeneralPlasticity does.
-bool needsGeneralPlasticity(const Part& part);
 
 } // namespace fpm

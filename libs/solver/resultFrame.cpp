@@ -1,5 +1,6 @@
 #include "solver/resultFrame.h"
 
+#include "model/PartMaterial.h"
 #include "solver/ContactPressure.h"
 #include "solver/SectionFields.h"
 
@@ -45,7 +46,7 @@ void addSection(Solver& solver, const Model& model, const std::vector<Point>& po
         const StateLayout& layout = data.layouts[part];
         hourglass |= layout.hourglass > 0;
         bending |= layout.hourglass > 0 && model.parts[part].hourglass == HourglassForm::physical;
-        yields |= layout.plastic && data.materials[part].rows > 0;
+        yields |= isPlastic(model.parts[part].kind);
     }
     if (!hourglass && !yields) return;
     const SectionFields fields = sectionFields(solver, model, points);
