@@ -73,10 +73,15 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
         plastic = Material::template update<T>(m, point, state.stress, state.backstress);
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
             if (m.coupledHourglass > Real(0)) {
-                const T radial = one - plastic.reduction;
-                const SectionFlow<T> section =
-                    flowOfSection<T>(m, hourglass.bending, hourglass.bendingEnergy, kinematic,
-                                     plastic, state.stress, state.backstress);
+                T radial = one - plastic.reduction;
+                SectionFlow<T> section;
+                if constexpr (Material::section == SectionRule::limitSurface)
+                    section = flowOfSection<T>(m, hourglass.bending, hourglass.bendingEnergy,
+                                               kinematic, plastic, state.stress, state.backstress);
+                else {
+                    section = radialSection<T>(hourglass.bendingEnergy, plastic);
+                    radial = section.bendingKept;
+                }
                 bent = section.bendingWork;
                 Hourglass::yield(section.bendingKept, radial, state.hourglass, hourglass);
             }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "kernels/TypeList.h"
+#include "kernels/material/DruckerPrager.h"
 #include "kernels/material/GeneralPlasticity.h"
+#include "kernels/material/ZerilliArmstrong.h"
 
 #include <span>
 
@@ -9,7 +11,7 @@ namespace fpm {
 
 /// Every material that `model` may name, in the order of their numbers. A further one is its header
 /// and its name here; dictionary, kernels, layout of the state and reports follow from it.
-using Materials = TypeList<Elastic, J2Plasticity>;
+using Materials = TypeList<Elastic, J2Plasticity, DruckerPrager, ZerilliArmstrong>;
 
 /// The law that serves parts of a material which ask for options at run time.
 template <class Material>
