@@ -174,12 +174,10 @@ struct ContactPassState {
         const ContactLaw& l = pair.law;
         const double slow = l.friction, fast = l.dynamicFriction;
         return {.count = Index(contactor.size()),
-                .source = l.penalty == PenaltyRule::series   ? PenaltySource::series
-                          : l.penalty == PenaltyRule::target ? PenaltySource::target
-                                                             : PenaltySource::lesser,
+                .rule = int(l.penalty),
                 .contactorStiffness = contactorStiffness.data(),
                 // Mass is halved there by itself.
-                .mirrors = l.penalty == PenaltyRule::mass ? nullptr : mirrors.data(),
+                .mirrors = entryOf(l.penalty).byMass ? nullptr : mirrors.data(),
                 .friction = {.staticCoefficient = Work(slow),
                              .dynamicCoefficient = Work(fast < 0 ? slow : fast),
                              .decay = l.frictionDecay,

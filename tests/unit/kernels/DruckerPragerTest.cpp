@@ -209,3 +209,70 @@ TEST(DruckerPrager, RefusesNumbersThatMakeNoSenseTogether)
     EXPECT_EQ(DruckerPrager::fault(loose).parameter, 0);
     EXPECT_EQ(DruckerPrager::fault(wild).parameter, 2);
 }
+
+namespace {
+
+using Block = Element<DruckerPrager, PhysicalHourglass>;
+
+/// A block whose ends turn against each other, by `turn` of the width at an edge.
+Corners bentBlock(double turn)
+{
+    Corners x = brick(2, 2, 2);
+    for (int k = 0; k < 8; ++k) x(k, 0) += turn * x(k, 0) * x(k, 2);
+    return x;
+}
+
+Block block(double dilation, double pressure)
+{
+    MaterialConstants<double> m = soil(2, 30, dilation);
+    m.coupledHourglass = 1;
+    Block element(m, bentBlock(0));
+    element.state.stress = {-pressure, -pressure, -pressure, 0, 0, 0};
+    element.mass = 1e-8;
+    return element;
+}
+
+double bendingOf(const Block& block)
+{
+    const Corners shape = block.x.rowwise() - block.x.row(0);
+    return PhysicalHourglass::present(block.material, modesOf<double>(shape), block.state.hourglass)
+        .bending;
+}
+
+} // namespace
+
+// The plastic moment is that of the yield stress in the middle of the section.
+TEST(DruckerPrager, BendingYieldsWithTheSection)
+{
+    for (const double pressure : {0.0, 5.0}) {
+        Block element = block(0, pressure);
+        for (int n = 1; n <= 400; ++n) element.advance(bentBlock(1e-4 * n));
+        const double y = 6 * 2 * std::cos(std::numbers::pi / 6) / 2.5, a = 6 * 0.5 / 2.5;
+        const double mean = element.stress().trace() / 3;
+        const double q = sectionStress(mises(element.stress()), bendingOf(element));
+        EXPECT_NEAR(q, y - a * mean, 1e-9);
+        EXPECT_NEAR(bendingOf(element), y - a * mean, 0.05 * y);
+        EXPECT_GT(element.step.plastic, 0);
+    }
+}
+
+// Where the deviator has nothing to resist with, bending meets a viscous resistance and is gone
+// soon.
+TEST(DruckerPrager, BendingFadesAtTheApex)
+{
+    for (const double dilation : {0.0, 30.0}) {
+        Block element = block(dilation, 0);
+        element.advance(bentBlock(1e-4));
+        double before = bendingOf(element);
+        for (int n = 1; n <= 60; ++n) {
+            element.advance(bentBlock(1e-4) * (1 + 1e-3 * n));
+            const double now = bendingOf(element);
+            EXPECT_LT(now, before);
+            if (n > 5) {
+                EXPECT_NEAR(now, 0.9 * before, 0.02 * before);
+            }
+            before = now;
+        }
+        EXPECT_LT(before, 0.01);
+    }
+}
