@@ -55,11 +55,11 @@ TEST(DruckerPragerElement, IsCrushedAtTheStrengthOfMohrAndCoulomb)
                           {0, 0, -20}, {Amplitude::Kind::smooth, {{0, 0}, {2e-4, 1}}}));
             const auto solver = startedSolver(model);
             solver->advance(8e-4, 100000);
-            const ElementValues values = solver->elementValues();
+            const ElementValues values = solver->elements().values();
             EXPECT_NEAR(values.stress[2], -4 * std::sqrt(3), 1e-3 * 7);
             EXPECT_NEAR(values.stress[0], 0, 1e-3 * 7);
             EXPECT_GT(values.plasticStrain[0], 0.008);
-            EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
+            EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-3);
         }
 }
 
@@ -77,7 +77,7 @@ TEST(DruckerPragerBlock, BendsWithoutHourglassing)
         const auto solver = startedSolver(model);
         solver->advance(1e-3, 1000000);
         EXPECT_FALSE(solver->clock().failed);
-        const Energies energies = solver->energies();
+        const Energies energies = solver->ledger().energies();
         EXPECT_LT(std::abs(energies.balance), 0.01);
         EXPECT_GT(energies.plastic, 0.5 * energies.internal);
         hourglass = energies.hourglass / energies.internal;
@@ -124,24 +124,25 @@ TEST(DruckerPragerBlock, StaysInShapeAtTheApex)
         solver->advance(4e-4, 1000000);
         EXPECT_FALSE(solver->clock().failed);
         double apex = 2 / std::tan(std::numbers::pi / 6), far = 0;
-        const ElementValues values = solver->elementValues();
+        const ElementValues values = solver->elements().values();
         for (std::size_t k = 0; k < values.stress.size(); k += 6)
             for (std::size_t c = 0; c < 3; ++c)
                 far = std::max(far, std::abs(values.stress[k + c] - apex));
         EXPECT_LT(far, 0.05 * apex);
         // Nodes lie where the stretch of the block has them.
         std::vector<Index> all = nodesWhere(model.mesh, [](Point) { return true; });
-        const NodeValues nodes = solver->nodeValues(all);
+        const NodeValues nodes = solver->nodes().values(all);
         const double stretch = 1 + 400 * solver->clock().time / 4;
         double off = 0;
         for (std::size_t i = 0; i < nodes.count; ++i)
             for (std::size_t c = 0; c < 3; ++c)
                 off =
                     std::max(off, std::abs(nodes.at(0, i)[c] - stretch * model.mesh.points[i][c]));
-        std::cout << "off " << off << " hourglass " << solver->energies().hourglass << " kinetic "
-                  << solver->energies().kinetic << " internal " << solver->energies().internal
-                  << " balance " << solver->energies().balance << '\n';
-        EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+        std::cout << "off " << off << " hourglass " << solver->ledger().energies().hourglass
+                  << " kinetic " << solver->ledger().energies().kinetic << " internal "
+                  << solver->ledger().energies().internal << " balance "
+                  << solver->ledger().energies().balance << '\n';
+        EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
     }
 }
 
