@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "mesh/SmallElements.h"
+#include "model/PartMaterial.h"
 
 #include <cmath>
 
@@ -32,8 +33,7 @@ bool staysElastic(const Part& part)
     const bool elastic = part.hourglass == HourglassForm::stiffness
                          || (part.hourglass == HourglassForm::physical
                              && part.hourglassPlastic == HourglassPlastic::elastic);
-    return part.kind == PartKind::elastoplastic && part.hexahedron == HexahedronForm::reduced
-           && elastic;
+    return isPlastic(part.kind) && part.hexahedron == HexahedronForm::reduced && elastic;
 }
 
 } // namespace

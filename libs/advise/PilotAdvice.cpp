@@ -4,6 +4,7 @@
 #include "base/Format.h"
 #include "mesh/Surface.h"
 #include "model/NodeSelection.h"
+#include "model/PartMaterial.h"
 
 #include <algorithm>
 #include <map>
@@ -16,14 +17,6 @@ const std::string partFile = "constant/partProperties", contactFile = "system/co
 constexpr double rigidShare = 0.02;    ///< of the largest deviation of any part
 constexpr double yieldShare = 0.5;     ///< of the first yield stress
 constexpr double energyNothing = 1e-4; ///< of the largest energy
-
-const char* word(PartKind kind)
-{
-    return kind == PartKind::elastic           ? "elastic"
-           : kind == PartKind::elastoplastic   ? "elastoplastic"
-           : kind == PartKind::rigidPrescribed ? "rigidPrescribed"
-                                               : "rigidFree";
-}
 
 std::string percent(double share)
 {
@@ -105,7 +98,7 @@ private:
             if (wanted != words.end())
                 edits.set(partFile, "parts." + part.name + ".model", wanted->second);
             else if (!parts.sub(part.name).has("model"))
-                edits.keep(partFile, "parts." + part.name + ".model", word(part.kind));
+                edits.keep(partFile, "parts." + part.name + ".model", wordOf(part.kind));
         }
         return edits;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/ElementShape.h"
 #include "base/Types.h"
 
 #include <array>
@@ -9,8 +10,8 @@
 
 namespace fpm {
 
-using Hexahedron = std::array<Index, 8>; ///< node numbers, VTK/Abaqus order: bottom ring, top ring
-using Quad = std::array<Index, 4>;       ///< node numbers, counter-clockwise seen from outside
+using Hexahedron = std::array<Index, HexahedronShape::nodes>; ///< node numbers, VTK/Abaqus order
+using Quad = std::array<Index, 4>; ///< node numbers, counter-clockwise seen from outside
 
 /// Side of an element: 0..5 in VTK order, corners in sideCorners[side], outward normal.
 struct ElementSide {
@@ -19,9 +20,13 @@ struct ElementSide {
     auto operator<=>(const ElementSide&) const = default;
 };
 
-/// VTK hexahedron sides with outward normals: -xi, +xi, -eta, +eta, -zeta, +zeta.
-inline constexpr std::array<std::array<int, 4>, 6> sideCorners{
-    {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+/// Corners of the sides of a hexahedron, as in HexahedronShape.
+inline constexpr std::array<std::array<int, 4>, HexahedronShape::faces> sideCorners = [] {
+    std::array<std::array<int, 4>, HexahedronShape::faces> corners{};
+    for (std::size_t side = 0; side < corners.size(); ++side)
+        for (std::size_t k = 0; k < 4; ++k) corners[side][k] = HexahedronShape::face[side].node[k];
+    return corners;
+}();
 
 /// A body made of one material: a run of elements. Parts never share elements.
 struct MeshPart {

@@ -1,10 +1,21 @@
 #pragma once
 
+#include "kernels/contact/PenaltyRules.h"
+
 namespace fpm {
 
-/// Which stiffness K A^2 / V a contact spring takes; mass: m* / dt^2 instead, m* the lesser of the
-/// masses that meet, dt the first stable step of the elements.
-enum class PenaltyRule { target, lesser, series, mass };
+/// Number of the rule in the list PenaltyRules: which stiffness K A^2 / V a contact spring takes;
+/// mass: m* / dt^2 instead, m* the lesser of the masses that meet, dt the first stable step of the
+/// elements.
+enum class PenaltyRule : int { target, lesser, series, mass };
+static_assert(PenaltyRules::indexOf<TargetPenalty>() == int(PenaltyRule::target)
+              && PenaltyRules::indexOf<LesserPenalty>() == int(PenaltyRule::lesser)
+              && PenaltyRules::indexOf<SeriesPenalty>() == int(PenaltyRule::series)
+              && PenaltyRules::indexOf<MassPenalty>() == int(PenaltyRule::mass));
+constexpr const PenaltyEntry& entryOf(PenaltyRule rule)
+{
+    return penaltyEntries[std::size_t(rule)];
+}
 
 /// What a pair of system/contactDict does where it touches.
 struct ContactLaw {

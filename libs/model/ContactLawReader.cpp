@@ -4,6 +4,8 @@
 #include "model/BoundaryReader.h"
 #include "model/PointAlgebra.h"
 
+#include <algorithm>
+
 namespace fpm {
 
 namespace {
@@ -75,12 +77,10 @@ ContactLaw readContactLaw(const Dictionary& pair)
         law.friction = pair.numberOr("friction", 0.0, nonNegative());
     law.normalScale = pair.numberOr("normalScale", law.normalScale, scale);
     law.tangentialScale = pair.numberOr("tangentialScale", law.tangentialScale, scale);
-    const std::string penalty =
-        pair.choiceOr("penalty", "target", {"target", "min", "series", "mass"});
-    law.penalty = penalty == "min"      ? PenaltyRule::lesser
-                  : penalty == "series" ? PenaltyRule::series
-                  : penalty == "mass"   ? PenaltyRule::mass
-                                        : PenaltyRule::target;
+    std::vector<std::string> words;
+    for (const PenaltyEntry& rule : penaltyEntries) words.push_back(rule.word);
+    const std::string word = pair.choiceOr("penalty", entryOf(law.penalty).word, words);
+    law.penalty = PenaltyRule(int(std::find(words.begin(), words.end(), word) - words.begin()));
     law.normalDamping = pair.numberOr("normalDamping", 0.0, between(0, 1));
     return law;
 }

@@ -1,6 +1,7 @@
 #include "model/MaterialReader.h"
 
 #include "base/Format.h"
+#include "model/PartMaterial.h"
 
 #include <limits>
 
@@ -173,6 +174,21 @@ void readHeating(const Lineage& lineage, Part& part)
     flow.temperature = entry.numberOr("temperature", flow.roomTemperature, nonNegative());
 }
 
+std::vector<double> readParameters(const Dictionary& entry, const MaterialEntry& material)
+{
+    std::vector<double> values;
+    for (const Parameter& p : material.parameters) {
+        const Range range{p.lower, p.upper, p.lowerOpen, p.upperOpen};
+        values.push_back(p.required ? entry.number(p.word, range)
+                                    : entry.numberOr(p.word, p.preset, range));
+    }
+    const ParameterFault fault = material.fault(values.data());
+    if (fault.parameter >= 0)
+        entry.fail(material.parameters[std::size_t(fault.parameter)].word, fault.message,
+                   fault.advice);
+    return values;
+}
+
 } // namespace
 
 void readFlow(const Lineage& lineage, Part& part)
@@ -193,6 +209,27 @@ void checkUnusedFlow(const Lineage& lineage, const Part& part)
         }
 }
 
+void readLaw(const Lineage& lineage, Part& part)
+{
+    const MaterialEntry& own = materialOf(part.kind);
+    for (const MaterialEntry& material : materialEntries) {
+        if (material.parameters.empty()) continue;
+        const Dictionary& owner = holder(lineage, material.word);
+        const bool used = material.word == own.word;
+        if (used || lineage.front().has(material.word)) {
+            const std::vector<double> values = readParameters(owner.sub(material.word), material);
+            if (used) part.lawValues = values;
+        }
+    }
+    if (own.parameters.empty()) return;
+    for (const std::string key : flowKeys)
+        if (!(own.heats && key == "heating") && lineage.front().has(key))
+            lineage.front().fail(
+                key, format("'{}' has no meaning for model {}", key, own.word),
+                format("its numbers stand in the dictionary '{}'; remove it", own.word));
+    if (own.heats) readHeating(lineage, part);
+}
+
 void readErosion(const Lineage& lineage, Part& part)
 {
     const Dictionary& owner = holder(lineage, "erosion");
@@ -202,7 +239,7 @@ void readErosion(const Lineage& lineage, Part& part)
     if (entry.has("plasticStrain")) {
         const double limit = entry.number("plasticStrain", positive());
         // An elastic part never gets there: checked, not used.
-        if (part.kind == PartKind::elastoplastic) part.erosion.plasticStrain = limit;
+        if (isPlastic(part.kind)) part.erosion.plasticStrain = limit;
     } else if (!part.erosion.inverted)
         entry.fail("plasticStrain", "'erosion' says not when elements are deleted",
                    "write: erosion { plasticStrain 0.8; }, or inverted yes, or both");
@@ -210,11 +247,14 @@ void readErosion(const Lineage& lineage, Part& part)
 
 void refuseFlow(const Dictionary& own)
 {
-    const auto refuse = [&](const char* key, const char* instead) {
+    const auto refuse = [&](const char* key, const std::string& instead) {
         if (own.has(key))
             own.fail(key, format("'{}' has no meaning for a rigid part", key), instead);
     };
     for (const char* key : flowKeys) refuse(key, "use model elastoplastic, or remove it");
+    for (const MaterialEntry& material : materialEntries)
+        if (!material.parameters.empty())
+            refuse(material.word, format("use model {}, or remove it", material.word));
     refuse("erosion", "use model elastic or elastoplastic, or remove it");
 }
 

@@ -11,11 +11,12 @@
 
 namespace fpm {
 
-enum class PartKind { elastic, elastoplastic, rigidPrescribed, rigidFree };
-/// No elements are worked: the part moves as a whole.
+/// Number of the material in the list Materials (kernels/material); it may hold more than the two
+/// that are named here. Below 0 no elements are worked: the part moves as a whole.
+enum class PartKind : int { rigidFree = -2, rigidPrescribed = -1, elastic = 0, elastoplastic = 1 };
 constexpr bool isRigid(PartKind kind)
 {
-    return kind == PartKind::rigidPrescribed || kind == PartKind::rigidFree;
+    return int(kind) < 0;
 }
 /// How the rigid rotation of a step is taken out of an element.
 enum class RotationForm { midSurface, arcsine, polar, hughesWinget };
@@ -74,6 +75,7 @@ struct Part {
     RotationForm rotation = RotationForm::midSurface; ///< selective: always hughesWinget
     std::vector<Hardening> hardening; ///< >= 1 row for elastoplastic; linear: two rows
     Flow flow;
+    std::vector<double> lawValues; ///< parameters of the material, in its order (MaterialEntry)
     ElementErosion erosion;
     HourglassForm hourglass = HourglassForm::physical;
     double hourglassCoefficient = 1; ///< stiffness 0.05 | viscous 0.1 | physical 1

@@ -3,6 +3,7 @@
 #include "base/Format.h"
 #include "model/MaterialReader.h"
 #include "model/Names.h"
+#include "model/PartMaterial.h"
 
 namespace fpm {
 
@@ -10,32 +11,22 @@ namespace {
 
 PartKind readKind(const Lineage& lineage)
 {
-    const std::string word =
-        holder(lineage, "model")
-            .choice("model", {"elastic", "elastoplastic", "rigidPrescribed", "rigidFree"});
-    return word == "elastic"           ? PartKind::elastic
-           : word == "elastoplastic"   ? PartKind::elastoplastic
-           : word == "rigidPrescribed" ? PartKind::rigidPrescribed
-                                       : PartKind::rigidFree;
+    return kindNamed(holder(lineage, "model").choice("model", kindWords()));
 }
 
 void readHourglass(const Lineage& lineage, Part& part)
 {
     const Dictionary entry = holder(lineage, "hourglass").subOrEmpty("hourglass");
-    const std::string form =
-        entry.choiceOr("form", "physical", {"stiffness", "viscous", "physical"});
-    // Beyond `largest` the hourglass modes, not the element, would limit the time step.
-    double preset = 1, largest = 1;
-    if (form == "viscous") {
-        part.hourglass = HourglassForm::viscous;
-        preset = 0.1;
-        largest = 0.2;
-    } else if (form == "stiffness") {
-        part.hourglass = HourglassForm::stiffness;
-        preset = 0.05;
-        largest = 0.2;
-    }
-    part.hourglassCoefficient = entry.numberOr("coefficient", preset, between(0, largest));
+    std::vector<std::string> words;
+    HourglassForms::visitAll([&]<class Form>() { words.push_back(Form::word); });
+    const std::string word = entry.choiceOr("form", PhysicalHourglass::word, words);
+    HourglassForms::visitAll([&]<class Form>() {
+        if (word != Form::word) return;
+        part.hourglass = HourglassForm(HourglassForms::indexOf<Form>());
+        // Beyond the largest the hourglass modes, not the element, would limit the time step.
+        part.hourglassCoefficient = entry.numberOr("coefficient", Form::presetCoefficient,
+                                                   between(0, Form::largestCoefficient));
+    });
     if (entry.choiceOr("plastic", "coupled", {"elastic", "coupled"}) == "elastic")
         part.hourglassPlastic = HourglassPlastic::elastic;
     if (entry.choiceOr("storage", "full", {"full", "float"}) == "float")
@@ -57,8 +48,10 @@ RotationForm readRotation(const Lineage& lineage)
 void readElement(const Lineage& lineage, Part& part)
 {
     part.rotation = readRotation(lineage);
-    if (holder(lineage, "hexahedron").choiceOr("hexahedron", "reduced", {"reduced", "selective"})
-        == "reduced")
+    const std::string reduced = ReducedHexahedron<PhysicalHourglass>::word;
+    if (holder(lineage, "hexahedron")
+            .choiceOr("hexahedron", reduced, {reduced, SelectiveHexahedron::word})
+        == reduced)
         return;
     part.hexahedron = HexahedronForm::selective;
     const Dictionary& entry = holder(lineage, "rotation");
@@ -70,6 +63,17 @@ void readElement(const Lineage& lineage, Part& part)
         holder(lineage, "erosion")
             .fail("erosion", "elements of hexahedron selective are never deleted",
                   "use hexahedron reduced, or remove the entry");
+}
+
+/// Not every law has kernels in every element.
+void requireKernel(const Lineage& lineage, const Part& part)
+{
+    if (isKernel(kernelOf(part))) return;
+    holder(lineage, "model")
+        .fail("model",
+              format("model {} is not there in the element of part '{}'", wordOf(part.kind),
+                     part.name),
+              "there are: " + elementsOf(part.kind));
 }
 
 /// Leading minors of a symmetric matrix xx yy zz xy yz zx.
@@ -150,11 +154,13 @@ Part readPart(const Dictionary& parts, const std::string& name)
     part.poissonsRatio = number(lineage, "poissonsRatio", {-1, 0.5, true, true});
     if (part.kind == PartKind::elastoplastic)
         readFlow(lineage, part);
-    else
+    else if (part.kind == PartKind::elastic)
         checkUnusedFlow(lineage, part); // elastic and plastic differ by one word
+    readLaw(lineage, part);
     readErosion(lineage, part);
     readElement(lineage, part);
     readHourglass(lineage, part);
+    requireKernel(lineage, part);
     const Dictionary viscosity = holder(lineage, "bulkViscosity").subOrEmpty("bulkViscosity");
     part.linearBulkViscosity = viscosity.numberOr("linear", 0.06, between(0, 1));
     part.quadraticBulkViscosity = viscosity.numberOr("quadratic", 1.2, between(0, 10));

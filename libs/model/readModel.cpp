@@ -12,6 +12,7 @@
 #include "model/InitialDepth.h"
 #include "model/MotionCheck.h"
 #include "model/PaperAlgorithm.h"
+#include "model/PartMaterial.h"
 #include "model/PartReader.h"
 #include "model/RigidContact.h"
 #include "model/SurfaceReport.h"
@@ -104,14 +105,6 @@ void readContact(const Case& theCase, Model& model, Log& log)
     }
 }
 
-const char* kindName(PartKind kind)
-{
-    return kind == PartKind::elastic           ? "elastic"
-           : kind == PartKind::elastoplastic   ? "elastoplastic"
-           : kind == PartKind::rigidPrescribed ? "rigidPrescribed"
-                                               : "rigidFree";
-}
-
 /// Rigid bodies limit no step; without an element to do so the step must be given.
 void requireStep(const Model& model, const Dictionary& control)
 {
@@ -133,7 +126,7 @@ void report(const Model& model, Log& log)
                     model.units[2]));
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const Part& part = model.parts[i];
-        std::string line = format("part {}: {}, {} elements", part.name, kindName(part.kind),
+        std::string line = format("part {}: {}, {} elements", part.name, wordOf(part.kind),
                                   model.mesh.parts[i].elementCount);
         if (!isRigid(part.kind))
             line +=

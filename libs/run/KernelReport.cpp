@@ -8,28 +8,16 @@ namespace fpm {
 
 namespace {
 
-std::string hourglassWord(HourglassForm form)
-{
-    switch (form) {
-    case HourglassForm::stiffness:
-        return "stiffness";
-    case HourglassForm::viscous:
-        return "viscous";
-    case HourglassForm::physical:
-        break;
-    }
-    return "physical";
-}
-
-/// Material, integration and hourglass control, as ExplicitSolver::launchElements chooses them.
+/// Material, integration and hourglass control.
 std::string elementKernel(const KernelGroup& group)
 {
-    if (group.hexahedron == HexahedronForm::selective)
-        return "eight points, options chosen at run time";
-    const std::string material = group.general ? "options chosen at run time"
-                                 : group.kind == PartKind::elastoplastic ? "J2 plasticity"
-                                                                         : "elastic";
-    return "one point, " + material + ", hourglass " + hourglassWord(group.hourglass);
+    std::string text;
+    visitKernel(group.kernel, [&]<class Material, class Element>() {
+        text = format("{}, {}", Element::name, Material::name);
+        if constexpr (Element::hourglass != nullptr)
+            text += format(", hourglass {}", Element::hourglass);
+    });
+    return text;
 }
 
 std::string elementLine(const KernelGroup& group, const Solver& solver, const Model& model)

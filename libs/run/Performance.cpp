@@ -232,28 +232,23 @@ namespace {
 
 void reportKernels(const Solver& solver, const Model& model, Log& log)
 {
-    bool elastic = false, plastic = false, general = false, selective = false;
-    for (const KernelGroup& group : solver.elements().setUp().groups)
-        (group.hexahedron == HexahedronForm::selective ? selective
-         : group.general                               ? general
-         : group.kind == PartKind::elastoplastic       ? plastic
-                                                       : elastic) = true;
     const auto used = [&](bool here, const std::string& name) {
         log.line((here ? "  needed    " : "  left out  ") + name);
     };
+    std::array<bool, Laws::size> laws{};
+    std::array<bool, Elements::size> elements{};
+    for (const KernelGroup& group : solver.elements().setUp().groups)
+        laws[std::size_t(group.kernel.law)] = elements[std::size_t(group.kernel.element)] = true;
     log.line("kernels of this scene:");
-    used(elastic, "elastic hexahedra");
-    used(plastic, "elastoplastic hexahedra (radial return)");
-    used(general, "hexahedra with options chosen at run time (rotation, flow, heating, deletion)");
-    used(selective, "hexahedra of eight points with mean dilatation");
-    for (const auto& [form, name] : {std::pair{HourglassForm::stiffness, "stiffness"},
-                                     std::pair{HourglassForm::viscous, "viscous"},
-                                     std::pair{HourglassForm::physical, "physical"}}) {
-        bool here = false;
-        for (const KernelGroup& group : solver.elements().setUp().groups)
-            here |= group.hexahedron == HexahedronForm::reduced && group.hourglass == form;
-        used(here, std::string("hourglass control, ") + name);
-    }
+    std::size_t number = 0;
+    Laws::visitAll(
+        [&]<class Law>() { used(laws[number++], std::string("hexahedra, law: ") + Law::name); });
+    number = 0;
+    Elements::visitAll([&]<class Element>() {
+        const char* control = Element::hourglass;
+        used(elements[number++], std::string("hexahedra, ") + Element::name
+                                     + (control ? std::string(", hourglass ") + control : ""));
+    });
     bool friction = false, faces = false, surfaces = false;
     for (const ContactPair& pair : model.contactPairs) {
         friction |= pair.friction > 0;

@@ -1,10 +1,8 @@
 #include "run/SectionFields.h"
 
 #include "kernels/element/Deletion.h"
-#include "kernels/element/PhysicalHourglass.h"
-#include "kernels/material/HardeningCurve.h"
-#include "kernels/material/SectionFlow.h"
-#include "kernels/material/ThermalSoftening.h"
+#include "kernels/element/ElementKernels.h"
+#include "model/PartMaterial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,19 +80,21 @@ double misesOf(const Sym3<double>& s)
     return std::sqrt(1.5 * contract(deviator, deviator));
 }
 
-/// The largest over the integration points.
+/// The largest over the integration points; 0 for a law that never yields.
+template <class Law>
 double utilisationOf(const Element& element, double bending)
 {
     const MaterialConstants<double>& m = element.material;
     const StateLayout& layout = element.layout;
     double most = 0;
     for (int point = 0; point < layout.points; ++point) {
-        Sym3<double> stress = element.tensor(layout.stress(point));
-        if (layout.kinematic) stress = stress + -1.0 * element.tensor(layout.backstress(point));
+        const Sym3<double> stress = element.tensor(layout.stress(point));
+        Sym3<double> shifted = stress;
+        if (layout.kinematic) shifted = stress + -1.0 * element.tensor(layout.backstress(point));
         const double rise = layout.heats ? element.strain(layout.temperature(point)) : 0;
-        const double yield = hardeningCurve<double>(m, element.strain(point)).value
-                             * thermalSoftening<double>(m.general, rise);
-        if (yield > 0) most = std::max(most, sectionStress(misesOf(stress), bending) / yield);
+        const double yield =
+            Law::template strength<double>(m, {element.strain(point), bending, rise, 0.0}, stress);
+        if (yield > 0) most = std::max(most, sectionStress(misesOf(shifted), bending) / yield);
     }
     return most;
 }
@@ -125,8 +125,10 @@ SectionFields sectionFields(Solver& solver, const Model& model, const std::vecto
             bending = section.bending;
         } else if (layout.hourglass > 0)
             out.hourglass[e] = stiffnessEnergy(element);
-        if (layout.plastic && element.material.rows > 0)
-            out.utilisation[e] = utilisationOf(element, bending);
+        if (layout.plastic)
+            visitKernel(kernelOf(part), [&]<class Law, class>() {
+                out.utilisation[e] = utilisationOf<Law>(element, bending);
+            });
     }
     return out;
 }

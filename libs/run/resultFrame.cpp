@@ -1,5 +1,6 @@
 #include "run/resultFrame.h"
 
+#include "model/PartMaterial.h"
 #include "run/ContactPressure.h"
 #include "run/SectionFields.h"
 
@@ -44,7 +45,7 @@ void addSection(Solver& solver, const Model& model, const std::vector<Point>& po
         const StateLayout& layout = solver.elements().setUp().layouts[part];
         hourglass |= layout.hourglass > 0;
         bending |= layout.hourglass > 0 && model.parts[part].hourglass == HourglassForm::physical;
-        yields |= layout.plastic && solver.elements().setUp().materials[part].rows > 0;
+        yields |= isPlastic(model.parts[part].kind);
     }
     if (!hourglass && !yields) return;
     const SectionFields fields = sectionFields(solver, model, points);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/PartMaterial.h"
 #include "unit/solver/kindScenes.h"
 
 #include <cmath>
@@ -59,6 +60,21 @@ inline void addElements(std::vector<Scene>& scenes)
     selective.parts[1].hexahedron = HexahedronForm::selective;
     selective.parts[1].rotation = RotationForm::hughesWinget;
     scenes.push_back({"selective", selective});
+    const std::pair<PartKind, std::vector<double>> laws[]{
+        {kindOf<DruckerPrager>, {100, 20, 10}},
+        {kindOf<ZerilliArmstrong>, {65, 0, 890, 0.0028, 0.000115, 0, 1, 1}}};
+    for (const auto& [kind, values] : laws)
+        for (const HexahedronForm form : {HexahedronForm::reduced, HexahedronForm::selective}) {
+            Model listed = plain();
+            Part& part = listed.parts[1];
+            part.kind = kind;
+            part.lawValues = values;
+            part.hexahedron = form;
+            if (materialOf(kind).heats) part.flow.heatFraction = 0.9;
+            part.flow.specificHeat = 9e8;
+            scenes.push_back(
+                {wordOf(kind) + (form == HexahedronForm::selective ? ", selective" : ""), listed});
+        }
     Model general = plain();
     general.parts[1].flow = manyOptions();
     scenes.push_back({"kinematic, rate, heat", general});

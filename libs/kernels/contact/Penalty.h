@@ -1,18 +1,16 @@
 #pragma once
 
 #include "kernels/contact/Friction.h"
+#include "kernels/contact/PenaltyRules.h"
 
 namespace fpm {
-
-/// Which side's stiffness a contact spring has.
-enum class PenaltySource : std::int32_t { target, lesser, series };
 
 /// Springs, friction and damping of a pair, the same against faces and against analytic surfaces.
 /// Arrays over contactors; vectors in planes `count` apart.
 template <class Work>
 struct PassLaw {
     Index count;
-    PenaltySource source;
+    std::int32_t rule;              ///< number in PenaltyRules
     const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
     const std::uint8_t*
         mirrors; ///< planes of symmetry it lies on, a bit each, each halves it; null: none
@@ -40,9 +38,7 @@ struct PassLaw {
         if (!contactorStiffness) return face;
         const Work own = contactorStiffness[i];
         if (!(face > 0)) return own;
-        if (!(own > 0) || source == PenaltySource::target) return face;
-        if (source == PenaltySource::lesser) return own < face ? own : face;
-        return own * face / (own + face);
+        return own > 0 ? springStiffness(rule, own, face) : face;
     }
     /// m*: the lesser mass of contactor and face, of those that can be moved.
     FPM_KERNEL Work lesserMass(Index i, Work face) const

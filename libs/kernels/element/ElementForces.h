@@ -31,7 +31,8 @@ inline constexpr int elementSums = elementEnergies + 1; ///< and the stable step
 template <class Work>
 constexpr std::size_t elementScratch(std::size_t nodes)
 {
-    return ((8 * nodes + 31) / 32 * 32 + (24 + elementSums) * patchCapacity) * sizeof(Work)
+    constexpr std::size_t forces = 3 * HexahedronShape::nodes;
+    return ((8 * nodes + 31) / 32 * 32 + (forces + elementSums) * patchCapacity) * sizeof(Work)
            + blockSumScratch(elementSums);
 }
 
@@ -39,8 +40,14 @@ constexpr std::size_t elementScratch(std::size_t nodes)
 /// stress and internal force of its elements: loads the patch's nodes into scratch, works the
 /// elements, and sums their corner forces per node in ascending element order. Boundary nodes get
 /// one partial sum a patch; the node pass adds those in patch order.
-/// `Hourglass`: a form of hourglass control for one point, or SelectiveIntegration for eight.
-template <class Numbers, class Material, class Hourglass>
+/// `Material`: see MaterialLaw; `Element`: a type with
+///     Shape              its nodes and faces, such as HexahedronShape
+///     word, name         of `hexahedron` in a dictionary, and in reports
+///     hourglass          word of its hourglass control, null without
+///     points, stateSize  integration points, and further values kept (of hourglass control)
+///     everyLaw           whether every law has a kernel in it (hasKernel)
+///     update             one step: its law at every point, corner forces for motions of corners
+template <class Numbers, class Material, class Element>
 struct ElementForces {
     using Work = typename Numbers::Work;
     using Position = typename Numbers::Position;
@@ -69,10 +76,7 @@ struct ElementForces {
     /// Of a GPU: with 128 registers a thread four small blocks share a multiprocessor. Eight points
     /// need twice as many, and so do doubles.
     static constexpr int threads = threadsPerSmallBlock,
-                         blocksPerProcessor =
-                             sizeof(Work) == 4 && !std::is_same_v<Hourglass, SelectiveIntegration>
-                                 ? 4
-                                 : 2;
+                         blocksPerProcessor = sizeof(Work) == 4 && Element::points == 1 ? 4 : 2;
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
@@ -82,7 +86,7 @@ struct ElementForces {
         const PatchHeader patch = patches[number];
         Work* places = reinterpret_cast<Work*>(team.scratch());
         Work* forces = places + (8 * std::size_t(patch.nodeCount) + 31) / 32 * 32;
-        Work* sums = forces + 24 * patchCapacity;
+        Work* sums = forces + 3 * Element::Shape::nodes * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
         if (patch.movesInterior && clock->steps > 0) { // forces are known after the start
@@ -111,21 +115,11 @@ struct ElementForces {
 
     FPM_KERNEL static constexpr StateLayout layoutOf(const MaterialConstants<Work>& m)
     {
-        const bool floats = mayKeepFloats && m.floatHourglass;
-        if constexpr (!Material::general)
-            return {
-                Hourglass::points, Hourglass::stateSize, Material::plastic, false, false, floats};
-        else
-            return {Hourglass::points,
-                    Hourglass::stateSize,
-                    m.rows > 0 || m.general.erodes,
-                    m.general.kinematicModulus > Work(0),
-                    m.general.heatPerWork > Work(0),
-                    floats};
+        return stateLayout<Material, Element>(m, mayKeepFloats && m.floatHourglass);
     }
 
 private:
-    static constexpr bool mayKeepFloats = Hourglass::stateSize > 0 && sizeof(Work) > sizeof(float);
+    static constexpr bool mayKeepFloats = Element::stateSize > 0 && sizeof(Work) > sizeof(float);
 
     /// Coordinates relative to the patch's first node, and increments: the only place where
     /// positions are read, subtracted in Position and kept in Work.
@@ -164,11 +158,13 @@ private:
         const std::size_t tile = std::size_t(patch.tile);
         team.template forEachBatch<Work>(patch.elementCount, [&](Index e) {
             Modes<T> x, w;
-            const std::uint16_t* corner = corners + std::size_t(patch.corners) + inTiles(e, 8);
+            const std::uint16_t* corner =
+                corners + std::size_t(patch.corners) + inTiles(e, Element::Shape::nodes);
             gatherModes(places, corner, x);
             gatherModes(places + 4 * count, corner, w);
             const ElementStep<T> step =
-                updateElement(m, patch, e, x, w, read<T>(mass + tile + e), rate);
+                Element::template update<Material>(m, x, w, read<T>(mass + tile + e), rate,
+                                                   strainPoint, PointStates{*this, m, patch, e});
             storeForces(w, forces + e);
             store(sums + e, step.internal);
             store(sums + patchCapacity + e, step.plastic);
@@ -200,28 +196,6 @@ private:
             kernel.storeState(m, from, step, patch, e, point);
         }
     };
-
-    template <class T>
-    FPM_KERNEL ElementStep<T> updateElement(const MaterialConstants<Work>& m,
-                                            const PatchHeader& patch,
-                                            Index e,
-                                            const Modes<T>& x,
-                                            Modes<T>& w,
-                                            const T& elementMass,
-                                            Work rate) const
-    {
-        if constexpr (std::is_same_v<Hourglass, SelectiveIntegration>)
-            return updateSelective<Material>(m, x, w, elementMass, rate,
-                                             PointStates{*this, m, patch, e});
-        else {
-            ElementState<T> element;
-            readState(m, element, patch, e, 0);
-            const ElementStep<T> step = updateHexahedron<Material, Hourglass>(
-                m, x, w, elementMass, rate, strainPoint, element);
-            storeState(m, element, step, patch, e, 0);
-            return step;
-        }
-    }
 
     template <class T>
     FPM_KERNEL static void
@@ -290,7 +264,7 @@ private:
                 readHourglass(floatForces(patch, layout, e), to.hourglass);
                 return;
             }
-        if constexpr (Hourglass::stateSize > 0)
+        if constexpr (Element::stateSize > 0)
             readHourglass(first + layout.hourglassForces() * tileWidth, to.hourglass);
     }
 
@@ -345,7 +319,7 @@ private:
                 storeHourglass(floatForces(patch, layout, e), from.hourglass);
                 return;
             }
-        if constexpr (Hourglass::stateSize > 0)
+        if constexpr (Element::stateSize > 0)
             storeHourglass(first + layout.hourglassForces() * tileWidth, from.hourglass);
     }
 

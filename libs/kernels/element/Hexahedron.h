@@ -1,10 +1,11 @@
 #pragma once
 
+#include "base/ElementShape.h"
 #include "kernels/element/BulkViscosity.h"
 #include "kernels/element/Deletion.h"
 #include "kernels/element/PhysicalHourglass.h"
 #include "kernels/element/RotationRules.h"
-#include "kernels/material/GeneralPlasticity.h"
+#include "kernels/material/Elastic.h"
 #include "kernels/material/SectionFlow.h"
 
 #include <type_traits>
@@ -63,21 +64,24 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     T bent = zero; // plastic work of the bending per volume
     if constexpr (Material::plastic) {
         Real kinematic = 0;
+        FlowPoint<T> point{state.equivalentPlasticStrain, hourglass.bending, zero, rate};
         if constexpr (Material::general) {
             kinematic = m.general.kinematicModulus;
             if (kinematic > Real(0)) state.backstress = rotated(rotation, state.backstress);
-            plastic = generalReturn<T>(
-                m, {state.equivalentPlasticStrain, hourglass.bending, state.temperatureRise, rate},
-                state.stress, state.backstress);
-        } else
-            plastic =
-                radialReturn<T>(m, state.equivalentPlasticStrain, hourglass.bending, state.stress);
+            point.temperatureRise = state.temperatureRise;
+        }
+        plastic = Material::template update<T>(m, point, state.stress, state.backstress);
         if constexpr (std::is_same_v<Hourglass, PhysicalHourglass>)
             if (m.coupledHourglass > Real(0)) {
-                const T radial = one - plastic.reduction;
-                const SectionFlow<T> section =
-                    flowOfSection<T>(m, hourglass.bending, hourglass.bendingEnergy, kinematic,
-                                     plastic, state.stress, state.backstress);
+                T radial = one - plastic.reduction;
+                SectionFlow<T> section;
+                if constexpr (Material::section == SectionRule::limitSurface)
+                    section = flowOfSection<T>(m, hourglass.bending, hourglass.bendingEnergy,
+                                               kinematic, plastic, state.stress, state.backstress);
+                else {
+                    section = radialSection<T>(hourglass.bendingEnergy, plastic);
+                    radial = section.bendingKept;
+                }
                 bent = section.bendingWork;
                 Hourglass::yield(section.bendingKept, radial, state.hourglass, hourglass);
             }
@@ -145,5 +149,33 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
                 step, state, w);
     return step;
 }
+
+/// FPM-H8R: one integration point and a form of hourglass control.
+template <class HourglassForm>
+struct ReducedHexahedron {
+    using Shape = HexahedronShape;
+    using Hourglass = HourglassForm;
+    static constexpr const char *word = "reduced", *name = "one point";
+    static constexpr const char* hourglass = Hourglass::word;
+    static constexpr int points = 1, stateSize = Hourglass::stateSize;
+    static constexpr bool everyLaw = std::is_same_v<Hourglass, PhysicalHourglass>;
+
+    template <class Material, class T, class Points>
+    FPM_KERNEL static ElementStep<T> update(const MaterialConstants<ScalarOf<T>>& m,
+                                            const Modes<T>& x,
+                                            Modes<T>& increment,
+                                            const T& mass,
+                                            ScalarOf<T> rate,
+                                            ScalarOf<T> strainPoint,
+                                            const Points& points)
+    {
+        ElementState<T> state;
+        points.read(0, state);
+        const ElementStep<T> step =
+            updateHexahedron<Material, Hourglass>(m, x, increment, mass, rate, strainPoint, state);
+        points.store(0, state, step);
+        return step;
+    }
+};
 
 } // namespace fpm

@@ -45,7 +45,9 @@ struct HourglassTrial {
 /// kappa = 1 is the highest frequency of a brick; up to 0.2 no warped element's stable step is
 /// touched. Q turns with the element.
 struct StiffnessHourglass {
-    static constexpr int stateSize = 12, points = 1;
+    static constexpr const char* word = "stiffness";
+    static constexpr int stateSize = 12;
+    static constexpr double presetCoefficient = 0.05, largestCoefficient = 0.2;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>
@@ -79,7 +81,9 @@ struct StiffnessHourglass {
 /// Viscous form, C = Q_h rho c_d l^2 / 4 with l^2 = sqrt(2/3 B B) (the edge squared of a cube).
 /// No history; cannot stop slow drift. Stable up to Q_h = 0.2 at the element's own step.
 struct ViscousHourglass {
-    static constexpr int stateSize = 0, points = 1;
+    static constexpr const char* word = "viscous";
+    static constexpr int stateSize = 0;
+    static constexpr double presetCoefficient = 0.1, largestCoefficient = 0.2;
 
     template <class T>
     FPM_KERNEL static HourglassTrial<T>

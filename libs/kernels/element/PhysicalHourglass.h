@@ -20,7 +20,9 @@ namespace fpm {
 /// Its derivatives by X_j and by the edges are the forces Q_j and a stress. Projections on the
 /// edges give a brick that leans the bending stiffness of beam theory.
 struct PhysicalHourglass {
-    static constexpr int stateSize = 12, points = 1;
+    static constexpr const char* word = "physical";
+    static constexpr int stateSize = 12;
+    static constexpr double presetCoefficient = 1, largestCoefficient = 1;
 
     /// kb, nu, kt, k4, times the coefficient of the form.
     template <class T>

@@ -4,16 +4,7 @@
 
 namespace fpm {
 
-/// The reference element beside FPM-H8R: 2 x 2 x 2 Gauss points with the mean dilatation of the
-/// element at each of them (B-bar: Nagtegaal, Parks and Rice 1974; Hughes 1980), so that neither
-/// incompressible elasticity nor plastic flow locks. No mode is without strain: there is no
-/// hourglass control. Every point turns with its own mid-step spin (Hughes and Winget 1980), the
-/// Jaumann rate, which knows no bottom and top. Bending with one element through the thickness is
-/// too stiff, as for every element of this kind. Stands where ElementForces expects an hourglass
-/// form.
-struct SelectiveIntegration {
-    static constexpr int stateSize = 0, points = 8;
-};
+inline constexpr int selectivePoints = 8;
 
 /// Modes with the coordinates of the Gauss points, +-1/sqrt(3), taken into them: what follows knows
 /// signs only.
@@ -144,9 +135,9 @@ FPM_KERNEL void updatePoint(const MaterialConstants<ScalarOf<T>>& m,
     if constexpr (Material::plastic) {
         if (m.general.kinematicModulus > Real(0))
             state.backstress = rotated(spin.whole, state.backstress);
-        plastic =
-            generalReturn<T>(m, {state.equivalentPlasticStrain, zero, state.temperatureRise, rate},
-                             state.stress, state.backstress);
+        plastic = Material::template update<T>(
+            m, {state.equivalentPlasticStrain, zero, state.temperatureRise, rate}, state.stress,
+            state.backstress);
     }
     ElementStep<T> step{};
     step.plasticStrainIncrement = plastic.strainIncrement;
@@ -213,7 +204,7 @@ FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& 
     const Modes<T> middleGauss = gaussModes(middle), incrementGauss = gaussModes(increment),
                    endGauss = gaussModes(x);
     const T volume = gradient.volume64 * T(Real(1) / Real(64));
-    for (int point = 0; point < SelectiveIntegration::points; ++point)
+    for (int point = 0; point < selectivePoints; ++point)
         updatePoint<Material>(m, middleGauss, incrementGauss, endGauss, dilatation, volume / mass,
                               rate, point, points, sums);
 
@@ -243,5 +234,31 @@ FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& 
     increment.mode[0] = {zero, zero, zero};
     return step;
 }
+
+/// The reference element beside FPM-H8R: 2 x 2 x 2 Gauss points with the mean dilatation of the
+/// element at each of them (B-bar: Nagtegaal, Parks and Rice 1974; Hughes 1980), so that neither
+/// incompressible elasticity nor plastic flow locks. No mode is without strain: there is no
+/// hourglass control. Every point turns with its own mid-step spin (Hughes and Winget 1980), the
+/// Jaumann rate, which knows no bottom and top. Bending with one element through the thickness is
+/// too stiff, as for every element of this kind.
+struct SelectiveHexahedron {
+    using Shape = HexahedronShape;
+    static constexpr const char *word = "selective", *name = "eight points";
+    static constexpr const char* hourglass = nullptr;
+    static constexpr int points = selectivePoints, stateSize = 0;
+    static constexpr bool everyLaw = true;
+
+    template <class Material, class T, class Points>
+    FPM_KERNEL static ElementStep<T> update(const MaterialConstants<ScalarOf<T>>& m,
+                                            const Modes<T>& x,
+                                            Modes<T>& increment,
+                                            const T& mass,
+                                            ScalarOf<T> rate,
+                                            ScalarOf<T>,
+                                            const Points& points)
+    {
+        return updateSelective<Material>(m, x, increment, mass, rate, points);
+    }
+};
 
 } // namespace fpm

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.h"
-#include "parallel/Kernel.h"
+#include "kernels/material/Material.h"
 
 #include <cstddef>
 
@@ -54,5 +54,17 @@ struct StateLayout {
     FPM_KERNEL constexpr int temperature(int point) const { return strains() + point; }
     FPM_KERNEL constexpr int sums() const { return strains() + (heats ? points : 0); }
 };
+
+/// What the elements of a part with this law and element keep. `floats`: hourglass forces as
+/// floats, where the element has any.
+template <class Material, class Element, class Constants>
+FPM_KERNEL constexpr StateLayout stateLayout(const Constants& m, bool floats)
+{
+    const KeptState kept = Material::kept(m);
+    bool plastic = kept.plasticStrain;
+    if constexpr (Material::general) plastic = plastic || m.general.erodes;
+    return {Element::points, Element::stateSize, plastic,
+            kept.backstress, kept.temperature,   Element::stateSize > 0 && floats};
+}
 
 } // namespace fpm

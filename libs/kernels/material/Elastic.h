@@ -1,17 +1,8 @@
 #pragma once
 
-#include "kernels/material/MaterialConstants.h"
-#include "parallel/Vec3.h"
+#include "kernels/material/Material.h"
 
 namespace fpm {
-
-/// Outcome of a stress update beyond the stress itself.
-template <class T>
-struct PlasticStep {
-    T strainIncrement; ///< of the equivalent plastic strain
-    T work;            ///< plastic work of the stress per volume
-    T reduction;       ///< share of the trial deviator the return takes away, 0 when elastic
-};
 
 /// Isotropic linear elasticity: stress + lambda tr(e) I + 2 mu e (method of the part model
 /// `elastic`; no plastic state is kept).
@@ -29,9 +20,21 @@ elasticStress(const MaterialConstants<ScalarOf<T>>& m, const Sym3<T>& stress, co
             fusedMultiplyAdd(twoMu, strain.zx, stress.zx)};
 }
 
-struct Elastic {
-    static constexpr bool plastic = false;
-    static constexpr bool general = false;
+struct Elastic : MaterialLaw {
+    static constexpr const char *word = "elastic", *name = "elastic";
+    static constexpr bool plastic = false, general = false, everyElement = true;
+
+    template <class Work>
+    FPM_KERNEL static constexpr KeptState kept(const MaterialConstants<Work>&)
+    {
+        return {false};
+    }
+    template <class T>
+    FPM_KERNEL static T
+    strength(const MaterialConstants<ScalarOf<T>>&, const FlowPoint<T>&, const Sym3<T>&)
+    {
+        return T(ScalarOf<T>(0));
+    }
 };
 
 } // namespace fpm

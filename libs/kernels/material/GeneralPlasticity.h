@@ -7,23 +7,6 @@
 
 namespace fpm {
 
-/// Everything a part may ask for beyond Elastic and J2Plasticity with the middle surface's
-/// rotation: options are constants of the part, asked at run time, so that each of them needs no
-/// kernels of its own. Also serves elastic parts (no hardening rows).
-struct GeneralPlasticity {
-    static constexpr bool plastic = true;
-    static constexpr bool general = true;
-};
-
-/// What a point of a general material brings to its stress return.
-template <class T>
-struct GeneralPoint {
-    T plasticStrain;
-    T bending;         ///< equivalent bending stress of the section, 0 for none
-    T temperatureRise; ///< since the start
-    ScalarOf<T> rate;  ///< 1 / step, 0 when the step is 0
-};
-
 /// Largest number of Newton iterations of rateReturn; from its start five are enough for 1e-10 in
 /// all but extreme exponents (GeneralPlasticityTest).
 inline constexpr int returnIterations = 10;
@@ -35,7 +18,7 @@ inline constexpr int returnIterations = 10;
 /// of this very step: nothing lags behind, nothing is smoothed.
 template <class T>
 FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
-                        const GeneralPoint<T>& point,
+                        const FlowPoint<T>& point,
                         const T& trial,
                         const T& slow,
                         const T& softening,
@@ -85,7 +68,7 @@ FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
 /// The same for a table without rate: exact for each linear piece, as in radialReturn.
 template <class T>
 FPM_KERNEL T tableReturn(const MaterialConstants<ScalarOf<T>>& m,
-                         const GeneralPoint<T>& point,
+                         const FlowPoint<T>& point,
                          const T& trial,
                          const T& softening,
                          ScalarOf<T> stiffness)
@@ -112,7 +95,7 @@ FPM_KERNEL T tableReturn(const MaterialConstants<ScalarOf<T>>& m,
 /// section in bending can bear does not move with the backstress.
 template <class T>
 FPM_KERNEL PlasticStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
-                                        const GeneralPoint<T>& point,
+                                        const FlowPoint<T>& point,
                                         Sym3<T>& s,
                                         Sym3<T>& backstress)
 {
@@ -151,5 +134,35 @@ FPM_KERNEL PlasticStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
     const Sym3<T> kept = deviator + (-(T(m.threeMu) * share)) * shifted;
     return {increment, T(Real(1.5)) * contract(kept, shifted) * share, T(stiffness) * share};
 }
+
+/// Everything a part may ask for beyond Elastic and J2Plasticity with the middle surface's
+/// rotation: options are constants of the part, asked at run time, so that each of them needs no
+/// kernels of its own. Also serves elastic parts (no hardening rows).
+struct GeneralPlasticity : MaterialLaw {
+    static constexpr const char* name = "options chosen at run time";
+    static constexpr bool heats = true, everyElement = true;
+
+    template <class Work>
+    FPM_KERNEL static constexpr KeptState kept(const MaterialConstants<Work>& m)
+    {
+        return {m.rows > 0, m.general.kinematicModulus > Work(0), m.general.heatPerWork > Work(0)};
+    }
+    template <class T>
+    FPM_KERNEL static PlasticStep<T> update(const MaterialConstants<ScalarOf<T>>& m,
+                                            const FlowPoint<T>& point,
+                                            Sym3<T>& stress,
+                                            Sym3<T>& backstress)
+    {
+        return generalReturn<T>(m, point, stress, backstress);
+    }
+    template <class T>
+    FPM_KERNEL static T
+    strength(const MaterialConstants<ScalarOf<T>>& m, const FlowPoint<T>& point, const Sym3<T>&)
+    {
+        if (m.rows == 0) return T(ScalarOf<T>(0));
+        return hardeningCurve<T>(m, point.plasticStrain).value
+               * thermalSoftening<T>(m.general, point.temperatureRise);
+    }
+};
 
 } // namespace fpm

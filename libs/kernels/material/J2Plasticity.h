@@ -1,14 +1,9 @@
 #pragma once
 
 #include "kernels/material/Elastic.h"
+#include "kernels/material/HardeningCurve.h"
 
 namespace fpm {
-
-/// J2 flow with tabulated isotropic hardening sigma_y(ebar), piecewise linear.
-struct J2Plasticity {
-    static constexpr bool plastic = true;
-    static constexpr bool general = false;
-};
 
 /// Radial return: takes the elastic trial stress to the yield surface sqrt(3 J2) = sigma_y(ebar)
 /// (Simo and Hughes; in the paper's variables ||s|| = sqrt(2/3) sigma_y). Exact for each linear
@@ -50,5 +45,31 @@ FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
     s = s + (-reduction) * deviator;
     return {increment, (T(Real(1)) - reduction) * increment * (square / trial), reduction};
 }
+
+/// J2 flow with tabulated isotropic hardening sigma_y(ebar), piecewise linear.
+struct J2Plasticity : MaterialLaw {
+    static constexpr const char *word = "elastoplastic", *name = "J2 plasticity";
+    static constexpr bool general = false, heats = true, everyElement = true;
+
+    template <class Work>
+    FPM_KERNEL static constexpr KeptState kept(const MaterialConstants<Work>&)
+    {
+        return {true};
+    }
+    template <class T>
+    FPM_KERNEL static PlasticStep<T> update(const MaterialConstants<ScalarOf<T>>& m,
+                                            const FlowPoint<T>& point,
+                                            Sym3<T>& stress,
+                                            Sym3<T>&)
+    {
+        return radialReturn<T>(m, point.plasticStrain, point.bending, stress);
+    }
+    template <class T>
+    FPM_KERNEL static T
+    strength(const MaterialConstants<ScalarOf<T>>& m, const FlowPoint<T>& point, const Sym3<T>&)
+    {
+        return hardeningCurve<T>(m, point.plasticStrain).value;
+    }
+};
 
 } // namespace fpm

@@ -5,6 +5,7 @@
 namespace fpm {
 
 inline constexpr int maxHardeningRows = 32;
+inline constexpr int maxLawConstants = 12;
 
 /// How the rigid rotation of a step is found; the values are those of the dictionary's words.
 enum class RotationRule : int { midSurface, arcsine, polar, hughesWinget };
@@ -28,6 +29,27 @@ struct GeneralConstants {
     Work erosionStrain; ///< equivalent plastic strain beyond which an element is deleted
     bool erodes;        ///< elements may be deleted at all
     bool erodesInverted;
+
+    /// The same in another type.
+    template <class To>
+    GeneralConstants<To> converted() const
+    {
+        return {.rotation = rotation,
+                .kinematicModulus = To(kinematicModulus),
+                .powerModulus = To(powerModulus),
+                .powerExponent = To(powerExponent),
+                .rateLaw = rateLaw,
+                .referenceRate = To(referenceRate),
+                .rateCoefficient = To(rateCoefficient),
+                .heatPerWork = To(heatPerWork),
+                .temperature = To(temperature),
+                .softeningExponent = To(softeningExponent),
+                .roomTemperature = To(roomTemperature),
+                .inverseMeltingRange = To(inverseMeltingRange),
+                .erosionStrain = To(erosionStrain),
+                .erodes = erodes,
+                .erodesInverted = erodesInverted};
+    }
 };
 
 /// What the kernels need to know of one part's material and element options, in its working type.
@@ -43,6 +65,37 @@ struct MaterialConstants {
     bool floatHourglass;   ///< hourglass forces are kept as floats (StateLayout)
     Work strain[maxHardeningRows], stress[maxHardeningRows], slope[maxHardeningRows];
     GeneralConstants<Work> general;
+    Work law[maxLawConstants]; ///< of the part's law beyond these, see MaterialLaw
+
+    /// The same in another type.
+    template <class To>
+    MaterialConstants<To> converted() const
+    {
+        MaterialConstants<To> to{.lambda = To(lambda),
+                                 .twoMu = To(twoMu),
+                                 .threeMu = To(threeMu),
+                                 .pressureWaveModulus = To(pressureWaveModulus),
+                                 .young = To(young),
+                                 .poisson = To(poisson),
+                                 .linearViscosity = To(linearViscosity),
+                                 .quadraticViscosity = To(quadraticViscosity),
+                                 .hourglass = To(hourglass),
+                                 .coupledHourglass = To(coupledHourglass),
+                                 .rows = rows,
+                                 .floatHourglass = floatHourglass,
+                                 .strain = {},
+                                 .stress = {},
+                                 .slope = {},
+                                 .general = general.template converted<To>(),
+                                 .law = {}};
+        for (int row = 0; row < rows; ++row) {
+            to.strain[row] = To(strain[row]);
+            to.stress[row] = To(stress[row]);
+            to.slope[row] = To(slope[row]);
+        }
+        for (int i = 0; i < maxLawConstants; ++i) to.law[i] = To(law[i]);
+        return to;
+    }
 };
 
 } // namespace fpm

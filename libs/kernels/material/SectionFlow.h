@@ -100,4 +100,18 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
     return {bendingKept, bendingWork};
 }
 
+/// Largest share of its bending that a section loses in one step under SectionRule::radial.
+inline constexpr double largestSectionLoss = 0.1;
+
+/// The bending loses the share that the deviator has lost, at most a tenth in a step. At the apex
+/// of a cone nothing is left of the deviator at once; the motions that one point cannot see then
+/// meet a viscous resistance instead of none, and bear no load at rest.
+template <class T>
+FPM_KERNEL SectionFlow<T> radialSection(const T& bendingEnergy, const PlasticStep<T>& plastic)
+{
+    using Real = ScalarOf<T>;
+    const T kept = maximum(T(Real(1)) - plastic.reduction, T(Real(1 - largestSectionLoss)));
+    return {kept, kept * (T(Real(1)) - kept) * bendingEnergy};
+}
+
 } // namespace fpm

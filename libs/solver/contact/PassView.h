@@ -21,12 +21,10 @@ template <class Work>
     const ContactLaw& l = setUp.law;
     const double slow = l.friction, fast = l.dynamicFriction;
     return {.count = Index(f.contactor.size()),
-            .source = l.penalty == PenaltyRule::series   ? PenaltySource::series
-                      : l.penalty == PenaltyRule::target ? PenaltySource::target
-                                                         : PenaltySource::lesser,
+            .rule = int(l.penalty),
             .contactorStiffness = f.contactorStiffness.data<Work>(),
             // Mass is halved there by itself.
-            .mirrors = l.penalty == PenaltyRule::mass ? nullptr : f.mirrors.data(),
+            .mirrors = entryOf(l.penalty).byMass ? nullptr : f.mirrors.data(),
             .friction = {.staticCoefficient = Work(slow),
                          .dynamicCoefficient = Work(fast < 0 ? slow : fast),
                          .decay = l.frictionDecay,

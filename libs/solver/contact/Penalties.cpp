@@ -93,7 +93,7 @@ void addPenalty(ContactPassSetup& out,
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
         out.faceMass.push_back(faceMass(data, out, face));
-    if (pair.penalty == PenaltyRule::mass) {
+    if (entryOf(pair.penalty).byMass) {
         const double step = firstElementStep(data.elements, model), perMass = scale / (step * step);
         for (const double mass : out.contactorMass)
             out.contactorStiffness.push_back(perMass * mass);
@@ -105,7 +105,7 @@ void addPenalty(ContactPassSetup& out,
     const bool rigidFaces =
         out.faceStiffness.empty()
         || *std::min_element(out.faceStiffness.begin(), out.faceStiffness.end()) <= 0;
-    if (pair.penalty == PenaltyRule::target && !rigidFaces) return;
+    if (!entryOf(pair.penalty).bothSides && !rigidFaces) return;
     for (const double stiffness : ownStiffness(model, out.contactor, own))
         out.contactorStiffness.push_back(scale * stiffness);
 }

@@ -7,52 +7,11 @@ namespace fpm {
 namespace {
 
 template <class Work>
-GeneralConstants<Work> converted(const GeneralConstants<double>& g)
-{
-    return {g.rotation,
-            Work(g.kinematicModulus),
-            Work(g.powerModulus),
-            Work(g.powerExponent),
-            g.rateLaw,
-            Work(g.referenceRate),
-            Work(g.rateCoefficient),
-            Work(g.heatPerWork),
-            Work(g.temperature),
-            Work(g.softeningExponent),
-            Work(g.roomTemperature),
-            Work(g.inverseMeltingRange),
-            Work(g.erosionStrain),
-            g.erodes,
-            g.erodesInverted};
-}
-
-template <class Work>
 std::vector<std::byte> bytesOf(const std::vector<MaterialConstants<double>>& materials)
 {
     std::vector<std::byte> bytes(materials.size() * sizeof(MaterialConstants<Work>));
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        const MaterialConstants<double>& m = materials[i];
-        MaterialConstants<Work> to{Work(m.lambda),
-                                   Work(m.twoMu),
-                                   Work(m.threeMu),
-                                   Work(m.pressureWaveModulus),
-                                   Work(m.young),
-                                   Work(m.poisson),
-                                   Work(m.linearViscosity),
-                                   Work(m.quadraticViscosity),
-                                   Work(m.hourglass),
-                                   Work(m.coupledHourglass),
-                                   m.rows,
-                                   m.floatHourglass,
-                                   {},
-                                   {},
-                                   {},
-                                   converted<Work>(m.general)};
-        for (int row = 0; row < m.rows; ++row) {
-            to.strain[row] = Work(m.strain[row]);
-            to.stress[row] = Work(m.stress[row]);
-            to.slope[row] = Work(m.slope[row]);
-        }
+        const MaterialConstants<Work> to = materials[i].converted<Work>();
         std::memcpy(&bytes[i * sizeof to], &to, sizeof to);
     }
     return bytes;

@@ -1,6 +1,7 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "mesh/Quality.h"
+#include "model/PartMaterial.h"
 #include "solver/SetUp.h"
 #include "solver/elements/PatchTables.h"
 
@@ -14,20 +15,16 @@ static_assert(int(RotationForm::arcsine) == int(RotationRule::arcsine)
               && int(RotationForm::polar) == int(RotationRule::polar)
               && int(RotationForm::hughesWinget) == int(RotationRule::hughesWinget));
 
-/// What the elements of a part keep from step to step, as the kernel of its group has it.
-StateLayout stateLayout(const Part& part, Precision precision)
+/// What the elements of a part keep from step to step.
+StateLayout layoutOf(const Part& part, const MaterialConstants<double>& m, Precision precision)
 {
-    if (isRigid(part.kind)) return {0, 0, false};
-    const bool plastic = part.kind == PartKind::elastoplastic;
-    StateLayout layout{1, part.hourglass == HourglassForm::viscous ? 0 : 12,
-                       plastic || part.erosion.any(), plastic && part.flow.kinematicModulus > 0,
-                       plastic && part.flow.heatFraction > 0};
-    if (part.hexahedron == HexahedronForm::selective) {
-        layout.points = SelectiveIntegration::points;
-        layout.hourglass = SelectiveIntegration::stateSize;
-    }
-    layout.floatHourglass = layout.hourglass > 0 && precision == Precision::double_
-                            && part.hourglassStorage == HourglassStorage::float_;
+    StateLayout layout{0, 0, false};
+    if (isRigid(part.kind)) return layout;
+    const bool floats =
+        precision == Precision::double_ && part.hourglassStorage == HourglassStorage::float_;
+    visitKernel(kernelOf(part), [&]<class Material, class Element>() {
+        layout = stateLayout<Material, Element>(m, floats);
+    });
     return layout;
 }
 
@@ -47,8 +44,9 @@ void addPatches(SolverSetUp& data, const Model& model, const Patches& patches)
     data.elements.placeInPatch.resize(std::size_t(data.elements.count));
     data.elements.patchOf.resize(std::size_t(data.elements.count));
     for (std::size_t part = 0; part < model.parts.size(); ++part) {
-        data.elements.layouts.push_back(stateLayout(model.parts[part], model.control.precision));
-        data.elements.materials[part].floatHourglass = data.elements.layouts[part].floatHourglass;
+        MaterialConstants<double>& m = data.elements.materials[part];
+        data.elements.layouts.push_back(layoutOf(model.parts[part], m, model.control.precision));
+        m.floatHourglass = data.elements.layouts[part].floatHourglass;
     }
     for (Index element = 0; element < data.elements.count; ++element)
         if (!(volume(model.mesh, element) > 0))
@@ -129,17 +127,11 @@ void addGroups(SolverSetUp& data, const Model& model)
             data.elements.rigidParts = true;
             continue;
         }
-        const bool general = needsGeneralPlasticity(part);
-        const bool selective = part.hexahedron == HexahedronForm::selective;
-        const auto same = [&](const KernelGroup& group) {
-            return group.general == general && (general || group.kind == part.kind)
-                   && group.hexahedron == part.hexahedron
-                   && (selective || group.hourglass == part.hourglass);
-        };
+        const ElementKernel kernel = kernelOf(part);
+        const auto same = [&](const KernelGroup& group) { return group.kernel == kernel; };
         auto group = std::find_if(data.elements.groups.begin(), data.elements.groups.end(), same);
         if (group == data.elements.groups.end())
-            group = data.elements.groups.insert(
-                group, {part.kind, general, part.hexahedron, part.hourglass, {}});
+            group = data.elements.groups.insert(group, {kernel, {}});
         group->patches.push_back(Index(i));
     }
 }

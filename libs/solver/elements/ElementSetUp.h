@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/element/ElementForces.h"
+#include "kernels/element/ElementKernels.h"
 #include "mesh/Patches.h"
 #include "model/Model.h"
 
@@ -8,10 +9,7 @@ namespace fpm {
 
 /// Patches that share a kernel: same material law and element.
 struct KernelGroup {
-    PartKind kind;
-    bool general; ///< GeneralPlasticity, whatever the kind
-    HexahedronForm hexahedron;
-    HourglassForm hourglass; ///< without meaning for selective
+    ElementKernel kernel;
     std::vector<Index> patches;
 };
 
@@ -61,7 +59,5 @@ struct ElementSetUp {
 
 /// Material constants of a part.
 MaterialConstants<double> materialConstants(const Part& part);
-/// Whether a part asks for something that only GeneralPlasticity does.
-bool needsGeneralPlasticity(const Part& part);
 
 } // namespace fpm

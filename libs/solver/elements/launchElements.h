@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/element/ElementForces.h"
+#include "kernels/element/ElementKernels.h"
 #include "solver/backend/LaunchContext.h"
 #include "solver/elements/ElementLaunches.h"
 
@@ -19,44 +20,21 @@ public:
 
     void forces() override
     {
-        for (std::size_t group = 0; group < on_.setUp.elements.groups.size(); ++group)
-            ofGroup(group);
+        const std::vector<KernelGroup>& groups = on_.setUp.elements.groups;
+        for (std::size_t group = 0; group < groups.size(); ++group)
+            visitKernel(groups[group].kernel,
+                        [&]<class Material, class Element>() { launch<Material, Element>(group); });
     }
 
 private:
-    void ofGroup(std::size_t number)
-    {
-        const KernelGroup& group = on_.setUp.elements.groups[number];
-        const bool plastic = group.kind == PartKind::elastoplastic;
-        if (group.hexahedron == HexahedronForm::selective)
-            return launch<GeneralPlasticity, SelectiveIntegration>(number);
-        switch (group.hourglass) {
-        case HourglassForm::stiffness:
-            group.general ? launch<GeneralPlasticity, StiffnessHourglass>(number)
-            : plastic     ? launch<J2Plasticity, StiffnessHourglass>(number)
-                          : launch<Elastic, StiffnessHourglass>(number);
-            break;
-        case HourglassForm::viscous:
-            group.general ? launch<GeneralPlasticity, ViscousHourglass>(number)
-            : plastic     ? launch<J2Plasticity, ViscousHourglass>(number)
-                          : launch<Elastic, ViscousHourglass>(number);
-            break;
-        case HourglassForm::physical:
-            group.general ? launch<GeneralPlasticity, PhysicalHourglass>(number)
-            : plastic     ? launch<J2Plasticity, PhysicalHourglass>(number)
-                          : launch<Elastic, PhysicalHourglass>(number);
-            break;
-        }
-    }
-
-    template <class Material, class Hourglass>
+    template <class Material, class Element>
     void launch(std::size_t group)
     {
         ElementFields& e = on_.fields.elements;
         NodeFields& n = on_.fields.nodes;
         StepClock* clock = on_.fields.clock.clock.data();
         const NodeSetUp& nodes = on_.setUp.nodes;
-        const ElementForces<Numbers, Material, Hourglass> kernel{
+        const ElementForces<Numbers, Material, Element> kernel{
             .list = e.groupPatches.data() + e.groupStart[group],
             .patches = e.patches.data(),
             .materials = reinterpret_cast<const MaterialConstants<Work>*>(e.materials.data()),

@@ -1,3 +1,4 @@
+#include "model/PartMaterial.h"
 #include "solver/elements/ElementSetUp.h"
 
 namespace fpm {
@@ -16,7 +17,7 @@ GeneralConstants<double> generalConstants(const Part& part)
     g.erosionStrain = part.erosion.plasticStrain > 0 ? part.erosion.plasticStrain : 1e30;
     const Flow& flow = part.flow;
     g.temperature = flow.temperature;
-    if (part.kind != PartKind::elastoplastic) return g;
+    if (!isPlastic(part.kind)) return g;
     g.kinematicModulus = flow.kinematicModulus;
     g.powerModulus = flow.powerModulus;
     g.powerExponent = flow.powerExponent;
@@ -49,7 +50,7 @@ MaterialConstants<double> materialConstants(const Part& part)
     m.hourglass = part.hourglassCoefficient;
     m.coupledHourglass = part.hourglass == HourglassForm::physical
                                  && part.hourglassPlastic == HourglassPlastic::coupled
-                                 && part.kind == PartKind::elastoplastic
+                                 && isPlastic(part.kind)
                              ? 1
                              : 0;
     static_assert(mostHardeningRows <= std::size_t(maxHardeningRows));
@@ -66,13 +67,8 @@ MaterialConstants<double> materialConstants(const Part& part)
             m.slope[row] = row > 0 ? m.slope[row - 1] : 0;
     }
     m.general = generalConstants(part);
+    if (!isRigid(part.kind)) materialOf(part.kind).constants(part.lawValues.data(), m);
     return m;
-}
-
-bool needsGeneralPlasticity(const Part& part)
-{
-    return part.rotation != RotationForm::midSurface || part.hexahedron == HexahedronForm::selective
-           || part.erosion.any() || (part.kind == PartKind::elastoplastic && part.flow != Flow{});
 }
 
 } // namespace fpm

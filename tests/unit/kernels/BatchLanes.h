@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/element/Hexahedron.h"
+#include "kernels/material/Materials.h"
 #include "parallel/Batch.h"
 #include "unit/kernels/BatchCase.h"
 

@@ -197,11 +197,11 @@ TEST(Penalty, TakesTheSideAsked)
     pair.contactorStiffness = own;
     EXPECT_EQ(pair.stiffness(0, 3.0), 3);
     EXPECT_EQ(pair.stiffness(0, 0.0), 2); // rigid face
-    pair.source = PenaltySource::lesser;
+    pair.rule = PenaltyRules::indexOf<LesserPenalty>();
     EXPECT_EQ(pair.stiffness(0, 3.0), 2);
     EXPECT_EQ(pair.stiffness(0, 1.0), 1);
     EXPECT_EQ(pair.stiffness(1, 3.0), 3); // rigid contactor
-    pair.source = PenaltySource::series;
+    pair.rule = PenaltyRules::indexOf<SeriesPenalty>();
     EXPECT_NEAR(pair.stiffness(0, 3.0), 6 / 5.0, 1e-15);
     EXPECT_EQ(pair.stiffness(0, 0.0), 2);
 

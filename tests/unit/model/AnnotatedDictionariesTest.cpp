@@ -1,4 +1,6 @@
+#include "base/Format.h"
 #include "model/ContactSetup.h"
+#include "model/PartMaterial.h"
 #include "model/readModel.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
@@ -77,6 +79,26 @@ std::set<std::string> keysShown(const std::string& text)
     return keys;
 }
 
+/// Words of a text with one blank between them, comment marks left out.
+std::string plainText(const std::string& text)
+{
+    std::istringstream words(text);
+    std::string plain = " ";
+    for (std::string word; words >> word;)
+        if (word != "//") plain += word + " ";
+    return plain;
+}
+
+/// From the first entry `key` of a plain text to the next entry.
+std::string entryOf(const std::string& text, const std::string& key)
+{
+    const std::size_t at = text.find(" " + key + " ");
+    if (at == std::string::npos) return {};
+    std::size_t end = text.find(';', at);
+    for (int i = 0; i < 3 && end != std::string::npos; ++i) end = text.find(';', end + 1);
+    return text.substr(at, std::min(text.size(), end + 80) - at) + " ";
+}
+
 } // namespace
 
 TEST(AnnotatedDictionaries, ReadAsTheyStand)
@@ -85,6 +107,30 @@ TEST(AnnotatedDictionaries, ReadAsTheyStand)
     for (const std::string& file : files) folder.write(file, annotated(file));
 
     EXPECT_NO_THROW(readAll(folder));
+}
+
+TEST(AnnotatedDictionaries, ShowEveryMaterialWithItsParameters)
+{
+    const std::string text = plainText(annotated("constant/partProperties"));
+    const std::string words = entryOf(text, "model");
+    for (const std::string& word : kindWords())
+        EXPECT_NE(words.find(" " + word + " "), std::string::npos) << words;
+    for (const MaterialEntry& material : materialEntries) {
+        if (material.parameters.empty()) continue;
+        const std::size_t at = text.find(std::string(" ") + material.word + " {");
+        ASSERT_NE(at, std::string::npos) << "no dictionary " << material.word;
+        const std::string entries = text.substr(at, text.find('}', at) - at);
+        for (const Parameter& p : material.parameters) {
+            const Range range{p.lower, p.upper, p.lowerOpen, p.upperOpen};
+            EXPECT_NE(entryOf(entries, p.word)
+                          .find(format("{}; {}; {}; {} ", p.meaning, p.unit,
+                                       p.required ? "required" : toText(p.preset), range.text())),
+                      std::string::npos)
+                << "etc/caseDicts/partProperties should say: " << p.word << " <value>; // "
+                << p.meaning << "; " << p.unit << "; "
+                << (p.required ? "required" : toText(p.preset)) << "; " << range.text();
+        }
+    }
 }
 
 TEST(AnnotatedDictionaries, ShowEveryKeyTheReadersAskFor)

@@ -1,3 +1,4 @@
+#include "model/PartMaterial.h"
 #include "model/PartReader.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/Refusal.h"
@@ -152,4 +153,67 @@ TEST(MaterialReader, ChecksWhatAnElasticPartDoesNotUse)
     EXPECT_EQ(part.flow, Flow{});
     EXPECT_TRUE(part.hardening.empty());
     EXPECT_TRUE(contains(refusalOf(elastic + "yieldStress -1;"), "yieldStress"));
+}
+
+namespace {
+
+const std::string solid = "density 1; youngsModulus 1000; poissonsRatio 0.25; ";
+const std::string soil = "model druckerPrager; " + solid;
+const std::string metal = "model zerilliArmstrong; " + solid
+                          + "zerilliArmstrong { C0 60; C1 1000; C3 0.007; C4 0.0004; } ";
+
+} // namespace
+
+TEST(MaterialReader, ReadsTheParametersOfAListedMaterialInTheirOrder)
+{
+    const Part part = readOne(soil + "druckerPrager { frictionAngle 30; cohesion 2; }");
+    EXPECT_EQ(part.kind, kindOf<DruckerPrager>);
+    EXPECT_EQ(part.lawValues, (std::vector<double>{2, 30, 0}));
+    EXPECT_EQ(readOne(metal).lawValues, (std::vector<double>{60, 1000, 0, 0.007, 0.0004, 0, 1, 1}));
+}
+
+TEST(MaterialReader, RefusesParametersOfAListedMaterialOutOfRange)
+{
+    EXPECT_TRUE(contains(refusalOf(soil + "druckerPrager { cohesion 2; frictionAngle 95; }"),
+                         ">= 0 and < 90"));
+    EXPECT_TRUE(contains(refusalOf(soil + "druckerPrager { cohesion 2; }"), "frictionAngle"));
+    EXPECT_TRUE(contains(refusalOf(soil), "druckerPrager"));
+    EXPECT_TRUE(contains(
+        refusalOf(soil + "druckerPrager { cohesion 2; frictionAngle 20; dilationAngle 21; }"),
+        "the angle of dilation is above that of friction"));
+    EXPECT_TRUE(contains(
+        refusalOf("model zerilliArmstrong; " + solid + "zerilliArmstrong { C0 0; C3 0; C4 0; }"),
+        "yields without stress"));
+}
+
+TEST(MaterialReader, AListedMaterialTakesNothingOfElastoplastic)
+{
+    const std::string cone = soil + "druckerPrager { cohesion 2; frictionAngle 30; } ";
+    EXPECT_TRUE(contains(refusalOf(cone + "yieldStress 10;"),
+                         "'yieldStress' has no meaning for model druckerPrager"));
+    EXPECT_TRUE(contains(refusalOf(cone + "heating { specificHeat 3; }"), "'heating' has no"));
+    const Part heated = readOne(metal + "heating { specificHeat 3; }");
+    EXPECT_EQ(heated.flow.heatFraction, 0.9);
+    EXPECT_EQ(readOne(cone + "erosion { plasticStrain 0.3; }").erosion.plasticStrain, 0.3);
+}
+
+TEST(MaterialReader, AListedMaterialNotChosenIsCheckedOnly)
+{
+    const std::string elastic = "model elastic; " + solid;
+    EXPECT_TRUE(
+        readOne(elastic + "druckerPrager { cohesion 2; frictionAngle 30; }").lawValues.empty());
+    EXPECT_TRUE(contains(refusalOf(elastic + "druckerPrager { cohesion 2; frictionAngle 95; }"),
+                         "frictionAngle"));
+    EXPECT_TRUE(contains(refusalOf("model rigidPrescribed; druckerPrager { cohesion 2; }"),
+                         "'druckerPrager' has no meaning for a rigid part"));
+}
+
+TEST(MaterialReader, RefusesAnElementInWhichTheMaterialHasNoKernel)
+{
+    const std::string cone = soil + "druckerPrager { cohesion 2; frictionAngle 30; } ";
+    const std::string said = refusalOf(cone + "hourglass { form viscous; }");
+    EXPECT_TRUE(contains(said, "model druckerPrager is not there in the element of part 'block'"));
+    EXPECT_TRUE(contains(said, "hexahedron reduced with hourglass form physical, hexahedron "
+                               "selective"));
+    EXPECT_NO_THROW(readOne(cone + "hexahedron selective; hourglass { form viscous; }"));
 }

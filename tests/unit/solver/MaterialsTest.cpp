@@ -1,4 +1,5 @@
 #include "mesh/Quality.h"
+#include "model/PartMaterial.h"
 #include "unit/solver/scenes.h"
 
 #include <gtest/gtest.h>
@@ -14,11 +15,24 @@ struct Law {
     Flow flow;
     ElementErosion erosion = {};
     HourglassPlastic plastic = HourglassPlastic::coupled;
+    PartKind kind = PartKind::elastoplastic;
+    std::vector<double> values = {};
+    HexahedronForm element = HexahedronForm::reduced;
 };
 
 void PrintTo(const Law& law, std::ostream* out)
 {
     *out << law.name;
+}
+
+Law listed(const std::string& name,
+           PartKind kind,
+           const std::vector<double>& values,
+           const Flow& flow,
+           HexahedronForm element = HexahedronForm::reduced)
+{
+    return {name,   HourglassForm::physical, flow, {}, HourglassPlastic::coupled, kind, values,
+            element};
 }
 
 /// Units: tonne, mm, s, MPa, K.
@@ -29,6 +43,10 @@ std::vector<Law> laws()
     viscous.rate = RateDependence::cowperSymonds;
     viscous.referenceRate = 6500;
     viscous.rateCoefficient = 0.25;
+    Flow heated;
+    heated.heatFraction = 0.9;
+    heated.specificHeat = 9e8;
+    const std::vector<double> soil{100, 20, 10}, copper{65, 0, 890, 0.0028, 0.000115, 0, 1, 1};
     hot.powerModulus = 292;
     hot.powerExponent = 0.31;
     hot.rate = RateDependence::johnsonCook;
@@ -38,16 +56,24 @@ std::vector<Law> laws()
     hot.meltingTemperature = 900;
     hot.heatFraction = 0.9;
     hot.specificHeat = 9e8;
-    return {{"kinematic", HourglassForm::physical, kinematic},
-            {"cowperSymonds", HourglassForm::stiffness, viscous},
-            {"johnsonCook", HourglassForm::viscous, hot},
-            {"erosion", HourglassForm::stiffness, {}, {0.02, true}},
-            {"elasticBending", HourglassForm::physical, {}, {}, HourglassPlastic::elastic}};
+    return {
+        {"kinematic", HourglassForm::physical, kinematic},
+        {"cowperSymonds", HourglassForm::stiffness, viscous},
+        {"johnsonCook", HourglassForm::viscous, hot},
+        {"erosion", HourglassForm::stiffness, {}, {0.02, true}},
+        {"elasticBending", HourglassForm::physical, {}, {}, HourglassPlastic::elastic},
+        listed("druckerPrager", kindOf<DruckerPrager>, soil, {}),
+        listed("druckerPragerPoints", kindOf<DruckerPrager>, soil, {}, HexahedronForm::selective),
+        listed("zerilliArmstrong", kindOf<ZerilliArmstrong>, copper, heated),
+        listed("zerilliArmstrongPoints", kindOf<ZerilliArmstrong>, copper, heated,
+               HexahedronForm::selective)};
 }
 
 Part partOf(const Law& law)
 {
-    Part part = aluminium(PartKind::elastoplastic, law.form);
+    Part part = aluminium(law.kind, law.form);
+    part.lawValues = law.values;
+    part.hexahedron = law.element;
     part.flow = law.flow;
     part.erosion = law.erosion;
     part.hourglassPlastic = law.plastic;
