@@ -4,7 +4,7 @@
 #include "run/KernelReport.h"
 #include "run/TimeLoop.h"
 #include "run/WaitPolicy.h"
-#include "solver/IdleCores.h"
+#include "solver/backend/IdleCores.h"
 
 #include <limits>
 
@@ -54,7 +54,7 @@ int main(int argc, char** argv)
         run.log.line("running on " + solver->description());
         const std::string busy = fpm::busyCoresNote(model.control);
         if (!busy.empty()) run.log.line(busy);
-        for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
+        for (const std::string& line : fpm::kernelLines(*solver, model)) run.log.line(line);
         solver->start();
         if (run.has("dryRun"))
             return fpm::reportDryRun(*solver, model, run.theCase.root(), run.log);

@@ -15,3 +15,7 @@ target_compile_options(fpmFlags INTERFACE
 # with bin/ and lib/ runs where it is put (etc/gpuBundle).
 set(CMAKE_BUILD_RPATH "$ORIGIN/../lib")
 add_link_options(-Wl,--disable-new-dtags)
+
+# No checksum of the build in a program: builds that differ in their git revision alone stay equal but
+# for that (withoutRevision in base/Version.h).
+add_link_options(-Wl,--build-id=none)

@@ -1,9 +1,14 @@
-# fpmLibrary(name [INTERNAL] USES lib... LINKS target...): a static library of every .cpp in this folder, or
-# an interface library where there is none. It is installed with its headers and is fpm::<name> to others;
-# INTERNAL: it serves the programs of this project alone.
+# fpmLibrary(name [INTERNAL] USES lib... LINKS target... FOLDERS folder...): a static library of every .cpp in
+# this folder and those named, or an interface library where there is none. It is installed with its headers
+# and is fpm::<name> to others; INTERNAL: it serves the programs of this project alone.
+
 function(fpmLibrary name)
-    cmake_parse_arguments(arg "INTERNAL" "" "USES;LINKS" ${ARGN})
+    cmake_parse_arguments(arg "INTERNAL" "" "USES;LINKS;FOLDERS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    foreach(folder ${arg_FOLDERS})
+        file(GLOB inFolder CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(APPEND sources ${inFolder})
+    endforeach()
     list(TRANSFORM arg_USES PREPEND fpm_)
     if(sources)
         add_library(fpm_${name} STATIC ${sources})

@@ -3,6 +3,7 @@
 #include "application/CommandLine.h"
 #include "base/Format.h"
 #include "base/Machine.h"
+#include "base/Version.h"
 #include "case/CaseLock.h"
 #include "case/Confinement.h"
 #include "case/PreviousRun.h"
@@ -103,7 +104,7 @@ bool answerQuestion(const ApplicationInfo& info, const OptionValues& options, Lo
     if (isGiven(options, "help"))
         log.line(helpText(info));
     else if (isGiven(options, "version"))
-        log.line(format("{} {}", info.name, FPM_VERSION));
+        log.line(format("{} {}", info.name, versionText()));
     else if (isGiven(options, "listKeys"))
         listKeys(info, valueOr(options, "dict", info.dictionary), log);
     else if (isGiven(options, "writeDefaults"))
@@ -133,7 +134,7 @@ void logBanner(Run& run, int argc, char** argv)
     for (int number = 0; number < argc; ++number)
         command.append(number == 0 ? "" : " ").append(argv[number]);
     auto& log = run.log;
-    log.line(format("Build  : {} (compiler {})", FPM_VERSION, __VERSION__));
+    log.line(format("Build  : {}, compiler {}", versionText(), __VERSION__));
     log.line(format("Exec   : {}", command));
     log.line(format("Date   : {}", utcDate()));
     log.line(format("Host   : {}", hostName()));

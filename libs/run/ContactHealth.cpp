@@ -2,7 +2,7 @@
 
 #include "base/Format.h"
 #include "run/HealthLimits.h"
-#include "solver/SolverData.h"
+#include "solver/Solver.h"
 
 #include <algorithm>
 
@@ -41,11 +41,11 @@ ContactHealth::ContactHealth(const Model& model, const Solver& solver)
     : model_(model),
       pairs_(model.contactPairs.size())
 {
-    for (const ContactPassSetup& pass : solver.data().passes)
+    for (const ContactPassSetup& pass : solver.contact().setUp().passes)
         pairs_[pass.pair].size = std::max(pairs_[pass.pair].size, pass.meanFaceSize);
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
         if (forgives(model.contactPairs[pair]))
-            pairs_[pair].forgiven = solver.initialOverlap(pair).deepest;
+            pairs_[pair].forgiven = solver.contact().initialOverlap(pair).deepest;
 }
 
 void ContactHealth::sample(const Sample& row)
@@ -113,7 +113,7 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
 void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const
 {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-        const PairForce force = solver.pairForce(pair);
+        const PairForce force = solver.contact().force(pair);
         for (std::size_t loss = 0; loss < losses.size(); ++loss) {
             const double count = double(force.*losses[loss].count),
                          since = pairs_[pair].since[loss];

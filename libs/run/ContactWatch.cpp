@@ -7,7 +7,7 @@ namespace fpm {
 void reportOverlaps(const Solver& solver, const Model& model, Log& log)
 {
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-        const PairOverlap overlap = solver.initialOverlap(pair);
+        const PairOverlap overlap = solver.contact().initialOverlap(pair);
         if (overlap.count == 0) continue;
         const Point& p = model.mesh.points[std::size_t(overlap.node)];
         log.line(format("pair {}: {} contactors start inside the target, deepest {} at ({} {} {})",
@@ -19,7 +19,7 @@ void reportOverlaps(const Solver& solver, const Model& model, Log& log)
 void reportContact(Solver& solver, const Model& model, Log& log)
 {
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-        const PairForce force = solver.pairForce(pair);
+        const PairForce force = solver.contact().force(pair);
         const std::string& name = model.contactPairs[pair].name;
         if (force.released > 0)
             log.warning(format("{} contactor nodes of pair {} went deeper than the target is "

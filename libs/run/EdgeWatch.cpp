@@ -130,10 +130,10 @@ void EdgeWatch::check(Solver& solver, Log& log)
     if (groups_.empty()) return;
     const Mesh& mesh = model_.mesh;
     std::vector<Point> points;
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) points.push_back(values.at(0, i));
     std::vector<bool> deleted;
-    if (solver.data().erodes) deleted = solver.elementValues().deleted;
+    if (solver.elements().setUp().erodes) deleted = solver.elements().values().deleted;
     for (Group& group : groups_) {
         std::vector<Box> boxes;
         for (const auto& sides : group.surfaces) boxes.push_back(boxOf(mesh, points, sides));

@@ -2,8 +2,8 @@
 
 #include "base/Log.h"
 #include "model/EdgeCrossing.h"
-#include "solver/MirrorPlanes.h"
 #include "solver/Solver.h"
+#include "solver/contact/MirrorPlanes.h"
 
 #include <map>
 

@@ -2,7 +2,7 @@
 
 #include "base/Format.h"
 #include "run/HealthLimits.h"
-#include "solver/SolverData.h"
+#include "solver/Solver.h"
 
 #include <cmath>
 

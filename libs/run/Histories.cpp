@@ -4,7 +4,7 @@
 #include "io/RunMark.h"
 #include "mesh/Vector.h"
 #include "model/CaseReader.h"
-#include "solver/PenaltyData.h"
+#include "solver/contact/Penalties.h"
 
 #include <algorithm>
 
@@ -194,7 +194,7 @@ void Histories::sample(Solver& solver, const Sample& row)
 
 void Histories::samplePoint(Channel& channel, Solver& solver, double time)
 {
-    const NodeValues values = solver.nodeValues({channel.history->node});
+    const NodeValues values = solver.nodes().values({channel.history->node});
     const Point& start = model_.mesh.points[std::size_t(channel.history->node)];
     for (std::size_t i = 0; i < channel.files.size(); ++i) {
         const int quantity = fieldQuantity(channel.history->fields[i]).number;
@@ -214,11 +214,11 @@ void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
     if (history.surface >= 0) {
         for (std::size_t pair = 0; pair < model_.contactPairs.size(); ++pair) {
             if (model_.contactPairs[pair].surface != history.surface) continue;
-            const PairForce force = solver.pairForce(pair);
+            const PairForce force = solver.contact().force(pair);
             for (std::size_t c = 0; c < 3; ++c) sum[c] += force.force[c];
         }
     } else {
-        const NodeValues values = solver.nodeValues(history.nodes);
+        const NodeValues values = solver.nodes().values(history.nodes);
         for (std::size_t i = 0; i < values.count; ++i)
             for (std::size_t c = 0; c < 3; ++c) sum[c] -= values.at(3, i)[c];
     }
@@ -232,9 +232,9 @@ void Histories::sampleReaction(Channel& channel, Solver& solver, double time)
 
 void Histories::sampleBody(Channel& channel, Solver& solver, double time)
 {
-    const std::vector<Index>& parts = solver.data().body.part;
+    const std::vector<Index>& parts = solver.bodies().setUp().part;
     const auto part = std::find(parts.begin(), parts.end(), channel.history->part);
-    const BodyMotionValues body = solver.bodyMotion(std::size_t(part - parts.begin()));
+    const BodyMotionValues body = solver.bodies().motion(std::size_t(part - parts.begin()));
     std::vector<double> row{time};
     for (const Point& value :
          {body.displacement, body.velocity, body.spin, body.localSpin, body.force, body.moment})
@@ -244,7 +244,7 @@ void Histories::sampleBody(Channel& channel, Solver& solver, double time)
 
 void Histories::samplePart(Channel& channel, Solver& solver, double time)
 {
-    if (!channel.motion) channel.motion.emplace(solver.data(), model_.mesh, channel.history->part);
+    if (!channel.motion) channel.motion.emplace(solver, model_.mesh, channel.history->part);
     const PartMotionValues part = channel.motion->of(solver);
     std::vector<double> row{time};
     for (const Point& value : {part.centre, part.momentum, part.angularMomentum})
@@ -256,7 +256,7 @@ void Histories::samplePart(Channel& channel, Solver& solver, double time)
 void Histories::sampleContact(Channel& channel, Solver& solver, const Sample& row)
 {
     for (std::size_t pair = 0; pair < channel.files.size(); ++pair) {
-        const PairForce force = solver.pairForce(pair);
+        const PairForce force = solver.contact().force(pair);
         const PairTouch& touch = row.pairs[pair];
         channel.files[pair]->append({row.energies.time, force.force[0], force.force[1],
                                      force.force[2], double(force.active), touch.maxDepth,

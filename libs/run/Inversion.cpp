@@ -2,7 +2,7 @@
 
 #include "base/Format.h"
 #include "mesh/Vector.h"
-#include "solver/ElementStep.h"
+#include "solver/elements/ElementStep.h"
 
 #include <algorithm>
 #include <array>
@@ -39,15 +39,15 @@ double edgeLength(const std::array<Point, 8>& x, const int (&edge)[2])
 
 Crushed crushedOf(Solver& solver, const Model& model)
 {
-    const NodeValues nodes = solver.nodeValues({});
-    const std::vector<bool> deleted = solver.elementValues().deleted;
+    const NodeValues nodes = solver.nodes().values({});
+    const std::vector<bool> deleted = solver.elements().values().deleted;
     Crushed found;
     double most = -1;
     for (Index e = 0; e < Index(model.mesh.hexahedra.size()); ++e) {
         const Part& part = model.parts[std::size_t(model.mesh.partOf(e))];
         if (isRigid(part.kind) || deleted[std::size_t(e)]) continue;
         const auto now = cornersNow(nodes, model.mesh.hexahedra[std::size_t(e)]);
-        if (stableStep(part, now, solver.data().massOf(e)) > 0) continue;
+        if (stableStep(part, now, solver.elements().setUp().massOf(e)) > 0) continue;
         ++found.count;
         const auto before = cornersOf(model.mesh, e);
         double shortest = 1e300, longest = 0;

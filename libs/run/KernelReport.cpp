@@ -32,11 +32,11 @@ std::string elementKernel(const KernelGroup& group)
     return "one point, " + material + ", hourglass " + hourglassWord(group.hourglass);
 }
 
-std::string elementLine(const KernelGroup& group, const SolverData& data, const Model& model)
+std::string elementLine(const KernelGroup& group, const Solver& solver, const Model& model)
 {
     std::map<std::size_t, Index> elements; // of each part
     for (const Index number : group.patches) {
-        const PatchHeader& patch = data.patches[std::size_t(number)];
+        const PatchHeader& patch = solver.elements().setUp().patches[std::size_t(number)];
         elements[std::size_t(patch.material)] += patch.elementCount;
     }
     std::string parts, floats;
@@ -45,7 +45,7 @@ std::string elementLine(const KernelGroup& group, const SolverData& data, const 
                single = model.control.precision == Precision::single;
     for (const auto& [part, count] : elements) {
         parts += " " + model.parts[part].name;
-        const StateLayout& layout = data.layouts[part];
+        const StateLayout& layout = solver.elements().setUp().layouts[part];
         if (layout.floatHourglass) floats += " " + model.parts[part].name;
         const std::size_t bytes = std::size_t(layout.size()) * (precise ? 8 : 4)
                                   + std::size_t(layout.sums()) * (single ? 4 : 8);
@@ -81,15 +81,16 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
 
 } // namespace
 
-std::vector<std::string> kernelLines(const SolverData& data, const Model& model)
+std::vector<std::string> kernelLines(const Solver& solver, const Model& model)
 {
     std::vector<std::string> lines;
-    for (const KernelGroup& group : data.groups) lines.push_back(elementLine(group, data, model));
+    for (const KernelGroup& group : solver.elements().setUp().groups)
+        lines.push_back(elementLine(group, solver, model));
     std::string rigid;
     for (const Part& part : model.parts)
         if (isRigid(part.kind)) rigid += " " + part.name;
     if (!rigid.empty()) lines.push_back("no element work:" + rigid + ", rigid");
-    for (const ContactPassSetup& pass : data.passes)
+    for (const ContactPassSetup& pass : solver.contact().setUp().passes)
         lines.push_back(pairLine(pass, model.contactPairs[pass.pair], model));
     return lines;
 }

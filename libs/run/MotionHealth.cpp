@@ -14,21 +14,21 @@ MotionHealth::MotionHealth(const Model& model) : model_(model), bodies_(model) {
 
 void MotionHealth::addRows(Solver& solver, HealthRows& rows) const
 {
-    addMass(solver.data(), rows);
-    const NodeValues nodes = solver.nodeValues({});
+    addMass(solver, rows);
+    const NodeValues nodes = solver.nodes().values({});
     const bool drifts = addDrift(solver, nodes, rows);
     addRest(solver.clock(), drifts, rows);
     addIdle(rows);
     addOverlaps(nodes, solver.clock().time, rows);
 }
 
-void MotionHealth::addMass(const SolverData& data, HealthRows& rows) const
+void MotionHealth::addMass(const Solver& solver, HealthRows& rows) const
 {
-    if (data.scaledElements == 0) return;
+    if (solver.elements().setUp().scaled == 0) return;
     double own = 0, scaled = 0;
-    for (std::size_t i = 0; i < data.nodeMass.size(); ++i) {
-        own += data.ownNodeMass[i];
-        scaled += data.nodeMass[i];
+    for (std::size_t i = 0; i < solver.nodes().setUp().mass.size(); ++i) {
+        own += solver.nodes().setUp().ownMass[i];
+        scaled += solver.nodes().setUp().mass[i];
     }
     const double added = own > 0 ? scaled / own - 1 : 0;
     const bool watched = model_.control.kineticShare > 0 && model_.initialVelocities.empty();
@@ -44,8 +44,7 @@ bool MotionHealth::addDrift(Solver& solver, const NodeValues& nodes, HealthRows&
 {
     const Control& control = model_.control;
     if (!(control.relaxationTolerance > 0) && !(control.kineticShare > 0)) return false;
-    const SolverData& data = solver.data();
-    const Energies energies = solver.energies();
+    const Energies energies = solver.ledger().energies();
     const double held = energies.internal + energies.hourglass;
     bool found = false;
     for (std::size_t body = 0; body < bodies_.count(); ++body) {
@@ -56,7 +55,7 @@ bool MotionHealth::addDrift(Solver& solver, const NodeValues& nodes, HealthRows&
         for (const Index node : bodies_.nodes(body)) {
             places.push_back(nodes.at(0, std::size_t(node)));
             velocities.push_back(nodes.at(1, std::size_t(node)));
-            masses.push_back(data.nodeMass[std::size_t(node)]);
+            masses.push_back(solver.nodes().setUp().mass[std::size_t(node)]);
         }
         const RigidShare share = rigidShare(places, velocities, masses);
         const double value = share.kinetic > 0 ? share.rigid / share.kinetic : 0;

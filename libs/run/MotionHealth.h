@@ -15,7 +15,7 @@ public:
     void addRows(Solver& solver, HealthRows& rows) const;
 
 private:
-    void addMass(const SolverData& data, HealthRows& rows) const;
+    void addMass(const Solver& solver, HealthRows& rows) const;
     bool addDrift(Solver& solver, const NodeValues& nodes, HealthRows& rows) const;
     void addRest(const StepClock& clock, bool drifts, HealthRows& rows) const;
     void addIdle(HealthRows& rows) const;

@@ -12,25 +12,25 @@ using namespace vector;
 
 PartMotionValues bodyValues(Solver& solver, std::size_t number)
 {
-    const RigidBody& body = solver.data().body.bodies[number];
-    const BodyMotionValues motion = solver.bodyMotion(number);
+    const RigidBody& body = solver.bodies().setUp().bodies[number];
+    const BodyMotionValues motion = solver.bodies().motion(number);
     return {sum(Point{body.start.x, body.start.y, body.start.z}, motion.displacement),
             scaled(motion.velocity, body.mass), motion.momentum, motion.kinetic};
 }
 
 } // namespace
 
-PartMotion::PartMotion(const SolverData& data, const Mesh& mesh, Index part)
+PartMotion::PartMotion(const Solver& solver, const Mesh& mesh, Index part)
 {
-    const auto body = std::ranges::find(data.body.part, part);
-    body_ = std::size_t(body - data.body.part.begin());
-    rigid_ = body != data.body.part.end();
+    const auto body = std::ranges::find(solver.bodies().setUp().part, part);
+    body_ = std::size_t(body - solver.bodies().setUp().part.begin());
+    rigid_ = body != solver.bodies().setUp().part.end();
     if (rigid_) return;
     const MeshPart& run = mesh.parts[std::size_t(part)];
     std::vector<double> mass(mesh.points.size(), 0.0);
     for (Index element = run.firstElement; element < run.firstElement + run.elementCount; ++element)
         for (const Index node : mesh.hexahedra[std::size_t(element)])
-            mass[std::size_t(node)] += data.massOf(element) / 8;
+            mass[std::size_t(node)] += solver.elements().setUp().massOf(element) / 8;
     for (std::size_t node = 0; node < mass.size(); ++node)
         if (mass[node] > 0) {
             nodes_.push_back(Index(node));
@@ -41,7 +41,7 @@ PartMotion::PartMotion(const SolverData& data, const Mesh& mesh, Index part)
 PartMotionValues PartMotion::of(Solver& solver) const
 {
     if (rigid_) return bodyValues(solver, body_);
-    const NodeValues values = solver.nodeValues(nodes_);
+    const NodeValues values = solver.nodes().values(nodes_);
     double total = 0;
     PartMotionValues out;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {

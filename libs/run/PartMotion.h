@@ -17,11 +17,11 @@ struct PartMotionValues {
 class PartMotion
 {
 public:
-    PartMotion(const SolverData& data, const Mesh& mesh, Index part);
+    PartMotion(const Solver& solver, const Mesh& mesh, Index part);
     PartMotionValues of(Solver& solver) const;
 
 private:
-    std::size_t body_; ///< in SolverData::body
+    std::size_t body_; ///< in SolverSetUp::body
     bool rigid_ = false;
     std::vector<Index> nodes_;
     std::vector<double> mass_; ///< of each of them

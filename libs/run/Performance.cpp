@@ -1,14 +1,15 @@
 #include "run/Performance.h"
 
 #include "base/Format.h"
+#include "base/Hash.h"
 #include "case/PerformanceRecord.h"
 #include "io/AtomicFile.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
 #include "run/TimeLoop.h"
-#include "solver/ElementStep.h"
-#include "solver/PenaltyData.h"
+#include "solver/contact/Penalties.h"
+#include "solver/elements/ElementStep.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,21 +28,21 @@ std::size_t contactors(const Model& model)
 /// Stable step of an element at given positions; negative when it is turned inside out.
 double stepOf(const Solver& solver, const Model& model, const NodeValues& nodes, Index element)
 {
-    const SolverData& data = solver.data();
     std::array<Point, 8> corners;
     for (std::size_t i = 0; i < 8; ++i)
         corners[i] = nodes.at(0, std::size_t(model.mesh.hexahedra[std::size_t(element)][i]));
     return stableStep(model.parts[std::size_t(model.mesh.partOf(element))], corners,
-                      data.massOf(element));
+                      solver.elements().setUp().massOf(element));
 }
 
 /// Names of the pairs a contact node belongs to.
-std::string pairsOf(const SolverData& data, const Model& model, Index node)
+std::string pairsOf(const Solver& solver, const Model& model, Index node)
 {
     std::string names;
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
-        const bool here =
-            std::any_of(data.passes.begin(), data.passes.end(), [&](const ContactPassSetup& pass) {
+        const bool here = std::any_of(
+            solver.contact().setUp().passes.begin(), solver.contact().setUp().passes.end(),
+            [&](const ContactPassSetup& pass) {
                 const auto among = [&](const std::vector<Index>& nodes) {
                     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
                 };
@@ -53,10 +54,10 @@ std::string pairsOf(const SolverData& data, const Model& model, Index node)
 }
 
 /// Largest stiffness of the springs of a pair.
-double largestStiffnessOf(const SolverData& data, std::size_t pair)
+double largestStiffnessOf(const Solver& solver, std::size_t pair)
 {
     double most = 0;
-    for (const ContactPassSetup& pass : data.passes)
+    for (const ContactPassSetup& pass : solver.contact().setUp().passes)
         if (pass.pair == pair) most = std::max(most, largestStiffness(pass));
     return most;
 }
@@ -73,8 +74,8 @@ bool contactBoundsStep(const StepClock& clock, const Control& control)
 
 std::string worstElement(Solver& solver, const Model& model)
 {
-    const NodeValues nodes = solver.nodeValues({});
-    const std::vector<bool> deleted = solver.elementValues().deleted;
+    const NodeValues nodes = solver.nodes().values({});
+    const std::vector<bool> deleted = solver.elements().values().deleted;
     Index worst = 0, inverted = 0;
     double least = 1e300;
     for (Index element = 0; element < Index(model.mesh.hexahedra.size()); ++element) {
@@ -98,16 +99,15 @@ std::string worstElement(Solver& solver, const Model& model)
 
 void reportMassScaling(const Solver& solver, Log& log)
 {
-    const SolverData& data = solver.data();
-    if (data.scaledElements == 0) return;
+    if (solver.elements().setUp().scaled == 0) return;
     double own = 0, scaled = 0;
-    for (std::size_t i = 0; i < data.nodeMass.size(); ++i) {
-        own += data.ownNodeMass[i];
-        scaled += data.nodeMass[i];
+    for (std::size_t i = 0; i < solver.nodes().setUp().mass.size(); ++i) {
+        own += solver.nodes().setUp().ownMass[i];
+        scaled += solver.nodes().setUp().mass[i];
     }
     log.line(format("mass scaling: {} added to {} ({} %), {} of {} elements",
                     toText(scaled - own, 5), toText(own, 5), toText(100 * (scaled / own - 1), 5),
-                    data.scaledElements, data.elementCount));
+                    solver.elements().setUp().scaled, solver.elements().setUp().count));
 }
 
 std::string stepLimit(Solver& solver, const Model& model)
@@ -117,14 +117,14 @@ std::string stepLimit(Solver& solver, const Model& model)
     if (model.control.maximumTimeStep > 0 && clock.step >= model.control.maximumTimeStep)
         return "timeStep.maximum";
     if (!contactBoundsStep(clock, model.control)) return worstElement(solver, model);
-    const ContactBound limit = solver.contactLimit();
+    const ContactBound limit = solver.contact().bound();
     if (limit.part >= 0)
         return format("contact springs on rigidFree part {}, omega {}",
                       model.parts[std::size_t(limit.part)].name, limit.frequency);
     if (limit.node < 0) return worstElement(solver, model);
-    const Point at = solver.nodeValues({limit.node}).at(0, 0);
+    const Point at = solver.nodes().values({limit.node}).at(0, 0);
     return format("contact pair {}: node {} at ({} {} {}), omega {}",
-                  pairsOf(solver.data(), model, limit.node), limit.node, at[0], at[1], at[2],
+                  pairsOf(solver, model, limit.node), limit.node, at[0], at[1], at[2],
                   limit.frequency);
 }
 
@@ -132,10 +132,9 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
 {
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const ContactPair& pair = model.contactPairs[number];
-        const PairForce now = solver.pairForce(number);
-        std::string line =
-            format("pair {}: {} in touch, springs up to {}, held {}", pair.name, now.active,
-                   largestStiffnessOf(solver.data(), number), now.spring);
+        const PairForce now = solver.contact().force(number);
+        std::string line = format("pair {}: {} in touch, springs up to {}, held {}", pair.name,
+                                  now.active, largestStiffnessOf(solver, number), now.spring);
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
         if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
         log.line(line);
@@ -143,13 +142,6 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
 }
 
 namespace {
-
-std::string hexText(std::uint64_t value)
-{
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> shift) & 15];
-    return text;
-}
 
 const char* precisionName(Precision precision)
 {
@@ -164,7 +156,7 @@ void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number)
         if (model.contactPairs[number].friction > 0)
             record.frictionWork.emplace_back(model.contactPairs[number].name,
-                                             solver.pairForce(number).friction);
+                                             solver.contact().force(number).friction);
     const StepClock clock = solver.clock();
     const bool given = model.control.fixedTimeStep > 0 || model.control.maximumTimeStep > 0;
     if (!given && clock.elementStep > 0 && contactBoundsStep(clock, model.control))
@@ -185,7 +177,7 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.contactors = std::int64_t(contactors(model));
     record.steps = clock.steps;
     record.searches = t.searches;
-    record.deviceBytes = std::int64_t(solver.deviceBytes());
+    record.deviceBytes = std::int64_t(solver.fields().bytes());
     record.wallSeconds = t.total;
     record.threads = t.threads;
     const double steps = double(record.steps), elements = double(record.elements),
@@ -198,7 +190,7 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.nsPerContactorStep = over(1e9 * contact, steps * touching, known);
     record.contactShare = over(contact, t.total, known);
     record.bytesPerElementStep =
-        over(double(bytesOfStep(solver.data(), model.control.precision)), elements, true);
+        over(double(bytesOfStep(solver, model.control.precision)), elements, true);
     record.time = clock.time;
     record.lastStep = clock.step;
     record.elementStep = clock.elementStep;
@@ -231,7 +223,7 @@ void reportPerformance(Solver& solver,
                         toText(100 * t.node / t.total, 3)));
     PerformanceRecord record = performanceOf(solver, model);
     record.runId = runId;
-    record.checksum = hexText(solver.stateChecksum());
+    record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
     writeFileAtomically(caseRoot / performanceFile, record.text());
 }
@@ -241,7 +233,7 @@ namespace {
 void reportKernels(const Solver& solver, const Model& model, Log& log)
 {
     bool elastic = false, plastic = false, general = false, selective = false;
-    for (const KernelGroup& group : solver.data().groups)
+    for (const KernelGroup& group : solver.elements().setUp().groups)
         (group.hexahedron == HexahedronForm::selective ? selective
          : group.general                               ? general
          : group.kind == PartKind::elastoplastic       ? plastic
@@ -258,7 +250,7 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
                                      std::pair{HourglassForm::viscous, "viscous"},
                                      std::pair{HourglassForm::physical, "physical"}}) {
         bool here = false;
-        for (const KernelGroup& group : solver.data().groups)
+        for (const KernelGroup& group : solver.elements().setUp().groups)
             here |= group.hexahedron == HexahedronForm::reduced && group.hourglass == form;
         used(here, std::string("hourglass control, ") + name);
     }
@@ -270,12 +262,12 @@ void reportKernels(const Solver& solver, const Model& model, Log& log)
     used(faces, "contact search, tracking and force");
     used(surfaces, "contact with analytic surfaces");
     used(friction, "friction");
-    used(!solver.data().conditions.empty(), "drives and loads, ledger of nodal works");
+    used(!solver.nodes().setUp().conditions.empty(), "drives and loads, ledger of nodal works");
     used(model.control.massDamping > 0, "mass damping");
     used(model.control.relaxationTolerance > 0, "dynamic relaxation");
-    used(!solver.data().pressureFaceCondition.empty(), "pressures");
-    used(!solver.data().body.bodies.empty(), "free rigid bodies");
-    used(solver.data().rigidParts, "rigid parts (no element work)");
+    used(!solver.nodes().setUp().pressureFaceCondition.empty(), "pressures");
+    used(!solver.bodies().setUp().bodies.empty(), "free rigid bodies");
+    used(solver.elements().setUp().rigidParts, "rigid parts (no element work)");
 }
 
 /// Stiff contact springs on light nodes can need shorter steps than any element.
@@ -301,8 +293,8 @@ void reportDryRun(Solver& solver,
     reportKernels(solver, model, log);
     log.line(format("{} nodes, {} elements in {} patches, {} contactors in {} pairs, {} MB",
                     model.mesh.points.size(), model.mesh.hexahedra.size(),
-                    solver.data().patches.size(), contactors(model), model.contactPairs.size(),
-                    toText(double(solver.deviceBytes()) / 1e6, 3)));
+                    solver.elements().setUp().patches.size(), contactors(model),
+                    model.contactPairs.size(), toText(double(solver.fields().bytes()) / 1e6, 3)));
     reportMassScaling(solver, log);
     // A few real steps tell the step size with contact, and what a step costs.
     solver.advance(model.control.endTime, 50);
@@ -310,7 +302,7 @@ void reportDryRun(Solver& solver,
     log.line(format("time step {} (elements alone {}, contact omega {})", toText(clock.step, 4),
                     toText(clock.elementStep, 4), toText(clock.contactFrequency, 4)));
     log.line("limited by " + stepLimit(solver, model));
-    reportStepSetters(stepSetters(solver.data(), model), log);
+    reportStepSetters(stepSetters(solver, model), log);
     reportContactCost(clock, model.control, log);
     const double step = clock.stableStep > 0 ? steadyStep(clock, model.control) : clock.step;
     const RunForecast forecast = forecastRun(solver, model, caseRoot, step, -1);

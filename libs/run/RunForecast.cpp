@@ -5,7 +5,7 @@
 #include "run/Histories.h"
 #include "run/StepSetters.h"
 #include "run/resultFrame.h"
-#include "solver/ElementStep.h"
+#include "solver/elements/ElementStep.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -108,7 +108,7 @@ double firstStep(const Solver& solver, const Model& model)
 {
     const Control& control = model.control;
     if (control.fixedTimeStep > 0) return control.fixedTimeStep;
-    double step = control.timeStepSafety * firstElementStep(solver.data(), model);
+    double step = control.timeStepSafety * firstElementStep(solver.elements().setUp(), model);
     if (control.maximumTimeStep > 0) step = std::min(step, control.maximumTimeStep);
     return step;
 }
@@ -178,7 +178,7 @@ void reportStart(Solver& solver,
         throw Error(ExitCode::fileIo, shortage,
                     "let writeInterval be longer, make room, or run the case on another disk");
     reportForecast(forecast, 0, log);
-    reportStepSetters(stepSetters(solver.data(), model), log);
+    reportStepSetters(stepSetters(solver, model), log);
 }
 
 std::string endlessReason(const StepClock& clock, const Control& control, std::int64_t maxSteps)

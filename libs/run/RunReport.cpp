@@ -31,8 +31,8 @@ void reportRest(const StepClock& clock, const Control& control, Log& log)
 
 void reportErosion(Solver& solver, const Model& model, Log& log)
 {
-    if (!solver.data().erodes) return;
-    const ElementValues values = solver.elementValues();
+    if (!solver.elements().setUp().erodes) return;
+    const ElementValues values = solver.elements().values();
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
         const MeshPart& part = model.mesh.parts[p];
         Index deleted = 0;

@@ -9,11 +9,11 @@ struct Sample {
     Energies energies;
     std::vector<PairTouch> pairs; ///< as Model::contactPairs
     std::vector<PairForce> forces;
-    Sample(Solver& solver, const Model& model) : energies(solver.energies())
+    Sample(Solver& solver, const Model& model) : energies(solver.ledger().energies())
     {
         for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-            pairs.push_back(solver.pairTouch(pair));
-            forces.push_back(solver.pairForce(pair));
+            pairs.push_back(solver.contact().touch(pair));
+            forces.push_back(solver.contact().force(pair));
         }
     }
 };

@@ -38,7 +38,7 @@ struct Element {
     {
         if (!layout.floatHourglass) return state(layout.hourglassForces() + i);
         return double(
-            floatAt(values.state, inFloatTiles(place.state, layout.hourglassForces(), i)));
+            floatAt(values.state.data(), inFloatTiles(place.state, layout.hourglassForces(), i)));
     }
     void hourglass(Vec3<double> (&out)[4]) const
     {
@@ -103,18 +103,17 @@ double utilisationOf(const Element& element, double bending)
 
 SectionFields sectionFields(Solver& solver, const Model& model, const std::vector<Point>& points)
 {
-    const SolverData& data = solver.data();
-    const StateValues values = solver.elementState();
-    const std::size_t count = std::size_t(data.elementCount);
+    const StateValues values = solver.elements().state();
+    const std::size_t count = std::size_t(solver.elements().setUp().count);
     SectionFields out{std::vector<double>(count), std::vector<double>(count),
                       std::vector<double>(count)};
     for (std::size_t e = 0; e < count; ++e) {
-        const ElementPlace place = data.placeOf(Index(e));
+        const ElementPlace place = solver.elements().setUp().placeOf(Index(e));
         const Part& part = model.parts[place.part];
-        const StateLayout& layout = data.layouts[place.part];
+        const StateLayout& layout = solver.elements().setUp().layouts[place.part];
         if (layout.points == 0) continue; // a rigid body
-        const Element element{data.materials[place.part], layout, values, place,
-                              modesOf(model.mesh.hexahedra[e], points)};
+        const Element element{solver.elements().setUp().materials[place.part], layout, values,
+                              place, modesOf(model.mesh.hexahedra[e], points)};
         if (layout.plastic && isDeleted(element.strain(0))) continue;
         double bending = 0;
         if (layout.hourglass > 0 && part.hourglass == HourglassForm::physical) {

@@ -7,7 +7,7 @@ namespace fpm {
 namespace {
 
 template <class Numbers>
-std::size_t bytesFor(const SolverData& data)
+std::size_t bytesFor(const Solver& solver)
 {
     constexpr std::size_t position = 3 * sizeof(typename Numbers::Position),
                           motion = 3 * sizeof(typename Numbers::Motion),
@@ -15,10 +15,11 @@ std::size_t bytesFor(const SolverData& data)
                           mass = sizeof(typename Numbers::Motion),
                           sum = sizeof(typename Numbers::Sum);
     std::size_t bytes = 0;
-    for (const KernelGroup& group : data.groups)
+    for (const KernelGroup& group : solver.elements().setUp().groups)
         for (const Index number : group.patches) {
-            const PatchHeader& patch = data.patches[std::size_t(number)];
-            const StateLayout& layout = data.layouts[std::size_t(patch.material)];
+            const PatchHeader& patch = solver.elements().setUp().patches[std::size_t(number)];
+            const StateLayout& layout =
+                solver.elements().setUp().layouts[std::size_t(patch.material)];
             const std::size_t elements = std::size_t(patch.elementCount),
                               slots = std::size_t(patch.nodeCount),
                               own = std::size_t(patch.interiorCount);
@@ -31,27 +32,31 @@ std::size_t bytesFor(const SolverData& data)
             bytes += slots * 2 * 3 * work + (slots - own) * 2 * sizeof(Index);
         }
     // Patches of one shape share their tables.
-    bytes += sizeof(std::uint16_t)
-             * (data.corners.size() + data.cornerStarts.size() + data.slotCorners.size());
-    const std::size_t nodes = std::size_t(data.nodeCount),
-                      listed = data.sharesNodes ? data.listedNodes.size() : nodes;
+    bytes +=
+        sizeof(std::uint16_t)
+        * (solver.elements().setUp().corners.size() + solver.elements().setUp().cornerStarts.size()
+           + solver.elements().setUp().slotCorners.size());
+    const std::size_t nodes = std::size_t(solver.nodes().setUp().count),
+                      listed = solver.nodes().setUp().movedByPatches
+                                   ? solver.nodes().setUp().listed.size()
+                                   : nodes;
     return bytes + nodes * (position + motion + mass + 1)      // moved, by whomever
            + listed * (position + motion + 2 * sizeof(Index)); // read for that alone
 }
 
 } // namespace
 
-std::size_t bytesOfStep(const SolverData& data, Precision precision)
+std::size_t bytesOfStep(const Solver& solver, Precision precision)
 {
     switch (precision) {
     case Precision::single:
-        return bytesFor<SinglePrecision>(data);
+        return bytesFor<SinglePrecision>(solver);
     case Precision::mixed:
-        return bytesFor<MixedPrecision>(data);
+        return bytesFor<MixedPrecision>(solver);
     case Precision::double_:
         break;
     }
-    return bytesFor<DoublePrecision>(data);
+    return bytesFor<DoublePrecision>(solver);
 }
 
 } // namespace fpm

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/Model.h"
-#include "solver/SolverData.h"
+#include "solver/Solver.h"
 
 namespace fpm {
 
@@ -9,6 +9,6 @@ namespace fpm {
 /// array: each value once where patches keep it in cache or shared memory, partial sums of forces
 /// once out and once in. Contact, loads and rigid bodies are left out. Over the elements and the
 /// time of a step it is the bandwidth the step has used.
-std::size_t bytesOfStep(const SolverData& data, Precision precision);
+std::size_t bytesOfStep(const Solver& solver, Precision precision);
 
 } // namespace fpm

@@ -1,7 +1,7 @@
 #include "run/StepSetters.h"
 
 #include "base/Format.h"
-#include "solver/ElementStep.h"
+#include "solver/elements/ElementStep.h"
 
 #include <algorithm>
 
@@ -38,12 +38,12 @@ StepSetters::Price priceOf(const std::vector<double>& steps,
 
 } // namespace
 
-std::optional<StepSetters> stepSetters(const SolverData& data, const Model& model)
+std::optional<StepSetters> stepSetters(const Solver& solver, const Model& model)
 {
     std::vector<double> steps, masses;
-    for (Index element = 0; element < data.elementCount; ++element) {
+    for (Index element = 0; element < solver.elements().setUp().count; ++element) {
         const Part& part = model.parts[std::size_t(model.mesh.partOf(element))];
-        masses.push_back(data.massOf(element));
+        masses.push_back(solver.elements().setUp().massOf(element));
         steps.push_back(isRigid(part.kind)
                             ? 0
                             : stableStep(part, cornersOf(model.mesh, element), masses.back()));

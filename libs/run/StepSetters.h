@@ -2,7 +2,7 @@
 
 #include "base/Log.h"
 #include "mesh/SmallElements.h"
-#include "solver/SolverData.h"
+#include "solver/Solver.h"
 
 namespace fpm {
 
@@ -19,7 +19,7 @@ struct StepSetters {
 };
 
 /// Of the mesh as it is read, mass scaling included; nothing where no few elements set the step.
-std::optional<StepSetters> stepSetters(const SolverData& data, const Model& model);
+std::optional<StepSetters> stepSetters(const Solver& solver, const Model& model);
 
 /// Logs them, their cost and the remedies; no line where there are none.
 void reportStepSetters(const std::optional<StepSetters>& setters, Log& log);

@@ -100,7 +100,7 @@ private:
             if (clock_.time >= sampleTime(samples_) - tiny() || done())
                 sample();
             else if (frameIsDue)
-                judge(solver_.energies()); // no frame holds a state that is lost
+                judge(solver_.ledger().energies()); // no frame holds a state that is lost
             if (frameIsDue) writeFrame();
             progress();
             if (signals.raised()) {
@@ -255,7 +255,7 @@ private:
 
     void finish()
     {
-        energies_ = solver_.energies();
+        energies_ = solver_.ledger().energies();
         reportEnergies(energies_, log_);
         if (control_.kineticShare > 0)
             log_.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,

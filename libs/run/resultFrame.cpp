@@ -39,13 +39,12 @@ std::vector<Point> pointsOf(const NodeValues& values, int quantity)
 /// Those of its fields that some part has; numbers that are 0 everywhere would only fill the disk.
 void addSection(Solver& solver, const Model& model, const std::vector<Point>& points, Frame& frame)
 {
-    const SolverData& data = solver.data();
     bool hourglass = false, bending = false, yields = false;
     for (std::size_t part = 0; part < model.parts.size(); ++part) {
-        const StateLayout& layout = data.layouts[part];
+        const StateLayout& layout = solver.elements().setUp().layouts[part];
         hourglass |= layout.hourglass > 0;
         bending |= layout.hourglass > 0 && model.parts[part].hourglass == HourglassForm::physical;
-        yields |= layout.plastic && data.materials[part].rows > 0;
+        yields |= layout.plastic && solver.elements().setUp().materials[part].rows > 0;
     }
     if (!hourglass && !yields) return;
     const SectionFields fields = sectionFields(solver, model, points);
@@ -60,17 +59,18 @@ Frame resultFrame(Solver& solver, const Model& model)
 {
     Frame frame;
     frame.time = solver.clock().time;
-    const NodeValues nodes = solver.nodeValues({});
+    const NodeValues nodes = solver.nodes().values({});
     frame.nodeFields.push_back(nodeField(nodes, 0, "U", &model.mesh.points));
     frame.nodeFields.push_back(nodeField(nodes, 1, "V", nullptr));
-    const ElementValues elements = solver.elementValues();
+    const ElementValues elements = solver.elements().values();
     if (!model.contactPairs.empty()) {
         frame.nodeFields.push_back(nodeField(nodes, 4, "FCONT", nullptr));
         frame.nodeFields.push_back(
             {"CPRESS", 1,
              contactPressure(model, pointsOf(nodes, 0), pointsOf(nodes, 4),
-                             solver.data().erodes ? elements.deleted : std::vector<bool>{})});
-        frame.nodeFields.push_back({"GAP", 1, solver.contactGaps()});
+                             solver.elements().setUp().erodes ? elements.deleted
+                                                              : std::vector<bool>{})});
+        frame.nodeFields.push_back({"GAP", 1, solver.contact().gaps()});
     }
 
     ResultField stress{"S", 6, elements.stress}, equivalent{"Mises", 1, {}},
@@ -83,7 +83,7 @@ Frame resultFrame(Solver& solver, const Model& model)
     addSection(solver, model, pointsOf(nodes, 0), frame);
     if (!elements.temperature.empty())
         frame.elementFields.push_back({"TEMP", 1, elements.temperature});
-    if (solver.data().erodes) {
+    if (solver.elements().setUp().erodes) {
         ResultField status{"STATUS", 1, {}};
         for (const bool deleted : elements.deleted) status.values.push_back(deleted ? 0 : 1);
         frame.elementFields.push_back(status);

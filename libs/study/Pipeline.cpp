@@ -1,11 +1,12 @@
 #include "study/Pipeline.h"
 
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
 #include "base/Machine.h"
+#include "base/Version.h"
 #include "case/PerformanceRecord.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <unistd.h>
 
@@ -70,7 +71,7 @@ Pipeline::Pipeline(fs::path binFolder) : bin_(std::move(binFolder))
         if (::access(file.c_str(), X_OK) != 0)
             throw Error(ExitCode::fileIo, format("there is no program {}", file.string()),
                         "keep the programs in one folder");
-        sum.add(textOf(file));
+        sum.add(withoutRevision(textOf(file)));
     }
     key_ = sum.text();
 }

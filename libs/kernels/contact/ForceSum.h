@@ -1,12 +1,10 @@
 #pragma once
 
 #include "parallel/Atomic.h"
+#include "parallel/LaunchSizes.h"
 #include "parallel/Math.h"
 
 namespace fpm {
-
-/// Contact nodes whose ways and threads are looked at together.
-inline constexpr Index displacementBlock = 256;
 
 /// Contact forces are added up as 64-bit integers: the sum does not depend on the order of the
 /// contributions, so it is the same on any number of threads and on the GPU, and the force on a
@@ -57,7 +55,7 @@ struct ContactSums {
 private:
     FPM_KERNEL bool isMine(Index number) const
     {
-        return alone || (shared && shared[number / displacementBlock] == 0);
+        return alone || (shared && shared[number / contactBlock] == 0);
     }
 };
 

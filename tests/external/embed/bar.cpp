@@ -35,9 +35,9 @@ int main()
     const auto solver = fpm::makeSolver(model);
     solver->start();
     solver->advance(model.control.endTime, 1000000);
-    const double speed = solver->nodeValues({freeEnd}).at(1, 0)[0];
+    const double speed = solver->nodes().values({freeEnd}).at(1, 0)[0];
     std::printf("%s: %lld steps, free end %.1f mm/s (exact 2000), energy balance %.1e\n",
                 solver->description().c_str(), (long long)(solver->clock().steps), speed,
-                solver->energies().balance);
+                solver->ledger().energies().balance);
     return std::abs(speed - 2000) < 20 ? 0 : 1;
 }

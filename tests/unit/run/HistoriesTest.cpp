@@ -51,7 +51,7 @@ TEST(Histories, ReactionHistoriesTellTravelAndTheForceOfTheWhole)
     const auto solver = startedSolver(model);
     solver->advance(5e-6, 100000);
     const TemporaryFolder folder;
-    const double force = solver->pairForce(1).force[2];
+    const double force = solver->contact().force(1).force[2];
     EXPECT_GT(force, 0);
     {
         Histories histories(folder.path(), model);

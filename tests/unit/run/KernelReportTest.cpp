@@ -20,20 +20,20 @@ TEST(KernelReport, TellsWhatEveryPartAndPairUses)
     // J2 keeps 6 stresses and 12 hourglass forces of 8 bytes and a plastic strain; elastic and
     // viscous 6 stresses.
     EXPECT_EQ(
-        kernelLines(makeSolverData(model), model),
+        kernelLines(*makeSolver(model), model),
         (std::vector<std::string>{
             "elements of lower: one point, elastic, hourglass viscous; 48 bytes of state each",
             "elements of upper: one point, J2 plasticity, hourglass physical; 152 bytes of "
             "state each",
             "contact touch: search faces, friction; 30 contactors on 56 faces"}));
     model.parts[0].hourglassStorage = model.parts[1].hourglassStorage = HourglassStorage::float_;
-    const std::vector<std::string> floats = kernelLines(makeSolverData(model), model);
+    const std::vector<std::string> floats = kernelLines(*makeSolver(model), model);
     EXPECT_NE(floats[0].find("48 bytes"), std::string::npos); // viscous keeps none
     EXPECT_NE(floats[1].find("104 bytes of state each; hourglass forces as float: upper"),
               std::string::npos)
         << floats[1];
     model.control.precision = Precision::mixed; // half of all but the plastic strain
-    EXPECT_NE(kernelLines(makeSolverData(model), model)[1].find("80 bytes"), std::string::npos);
+    EXPECT_NE(kernelLines(*makeSolver(model), model)[1].find("80 bytes"), std::string::npos);
 }
 
 TEST(KernelReport, NamesWhatIsChosenAndNothingElse)
@@ -46,7 +46,7 @@ TEST(KernelReport, NamesWhatIsChosenAndNothingElse)
     pair.normalDamping = 0.1;
     pair.search = ContactSearch::closestParticle;
     pair.projection = ContactProjection::cold;
-    const std::vector<std::string> lines = kernelLines(makeSolverData(model), model);
+    const std::vector<std::string> lines = kernelLines(*makeSolver(model), model);
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_NE(lines[0].find("upper: eight points"), std::string::npos) << lines[0];
     EXPECT_EQ(lines[1], "no element work: lower, rigid");

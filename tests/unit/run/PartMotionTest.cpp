@@ -12,7 +12,7 @@ namespace {
 
 PartMotionValues motionOf(Solver& solver, const Model& model, Index part = 0)
 {
-    return PartMotion(solver.data(), model.mesh, part).of(solver);
+    return PartMotion(solver, model.mesh, part).of(solver);
 }
 
 /// A block of 3 x 4 x 5 mm, 1.62e-7 t, that flies and turns about its centre.
@@ -40,8 +40,8 @@ TEST(PartMotion, AFreeBodyKeepsItsMomentaAndItsCentreMovesEvenly)
     double inertia = 0;
     for (std::size_t i = 0; i < model.mesh.points.size(); ++i) {
         const Point& p = model.mesh.points[i];
-        inertia +=
-            solver->data().nodeMass[i] * ((p[0] - 1.5) * (p[0] - 1.5) + (p[1] - 2) * (p[1] - 2));
+        inertia += solver->nodes().setUp().mass[i]
+                   * ((p[0] - 1.5) * (p[0] - 1.5) + (p[1] - 2) * (p[1] - 2));
     }
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(first.centre[c], centre[c], 1e-13);

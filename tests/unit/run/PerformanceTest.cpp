@@ -22,7 +22,7 @@ TEST(Performance, LimitOfTheStepNamesThePairOrTheElement)
         }
         EXPECT_NE(text.find("contact pair touch: node "), std::string::npos) << text;
         // By hand: 2 k / m of the worst contact node is what the clock has.
-        EXPECT_EQ(solver->contactLimit().frequency, solver->clock().contactFrequency);
+        EXPECT_EQ(solver->contact().bound().frequency, solver->clock().contactFrequency);
     }
 }
 

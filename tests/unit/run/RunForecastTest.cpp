@@ -159,7 +159,7 @@ TEST(StepSetters, AreFoundWithTheirCostAndThePriceOfMassScaling)
 {
     Model model = barWithThinEnd();
     const auto before = makeSolver(model);
-    const auto setters = stepSetters(before->data(), model);
+    const auto setters = stepSetters(*before, model);
     ASSERT_TRUE(setters);
     EXPECT_EQ(setters->elements.count, 1u);
     EXPECT_GT(setters->elements.ratio(), 5);
@@ -168,9 +168,9 @@ TEST(StepSetters, AreFoundWithTheirCostAndThePriceOfMassScaling)
         model.parts[0].targetStep = price.targetStep;
         const auto scaled = makeSolver(model);
         double own = 0, made = 0;
-        for (std::size_t i = 0; i < scaled->data().nodeMass.size(); ++i) {
-            own += scaled->data().ownNodeMass[i];
-            made += scaled->data().nodeMass[i];
+        for (std::size_t i = 0; i < scaled->nodes().setUp().mass.size(); ++i) {
+            own += scaled->nodes().setUp().ownMass[i];
+            made += scaled->nodes().setUp().mass[i];
         }
         EXPECT_NEAR(made / own - 1, price.addedMass, 1e-6);
         EXPECT_NEAR(firstStep(*scaled, model) / firstStep(*before, model), price.saves, 1e-6);
@@ -181,7 +181,7 @@ TEST(StepSetters, AreFoundWithTheirCostAndThePriceOfMassScaling)
 TEST(StepSetters, AnEvenMeshHasNone)
 {
     const Model model = cube();
-    EXPECT_FALSE(stepSetters(makeSolver(model)->data(), model));
+    EXPECT_FALSE(stepSetters(*makeSolver(model), model));
 }
 
 } // namespace

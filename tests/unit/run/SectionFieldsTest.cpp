@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Point> pointsOf(Solver& solver)
 {
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     std::vector<Point> points;
     for (std::size_t i = 0; i < values.count; ++i) points.push_back(values.at(0, i));
     return points;
@@ -53,11 +53,11 @@ double sumOf(const std::vector<double>& values)
 /// Elastic energy of the stress at the integration points, elements of volume 1.
 double stretchEnergy(Solver& solver)
 {
-    const std::vector<double> s = solver.elementValues().stress;
+    const std::vector<double> s = solver.elements().values().stress;
     double sum = 0;
     for (std::size_t e = 0; 6 * e < s.size(); ++e)
         sum += elasticEnergy<double>(
-            solver.data().materials[0],
+            solver.elements().setUp().materials[0],
             {s[6 * e], s[6 * e + 1], s[6 * e + 2], s[6 * e + 3], s[6 * e + 4], s[6 * e + 5]});
     return sum;
 }
@@ -70,7 +70,7 @@ TEST(SectionFields, EnergiesOfThePhysicalFormAreThoseOfTheLedger)
         const auto solver = startedSolver(model);
         solver->advance(4e-6, 1000000);
         const SectionFields fields = fieldsOf(*solver, model);
-        const Energies energies = solver->energies();
+        const Energies energies = solver->ledger().energies();
         const double bending = sumOf(fields.bending), hourglass = sumOf(fields.hourglass);
         EXPECT_GT(bending, 0.2 * energies.internal); // it does bend
         EXPECT_NEAR(bending + stretchEnergy(*solver), energies.internal, 5e-3 * energies.internal);
@@ -86,7 +86,7 @@ TEST(SectionFields, EnergyOfTheStiffnessFormIsThatOfTheLedger)
     const auto solver = startedSolver(model);
     solver->advance(4e-6, 1000000);
     const SectionFields fields = fieldsOf(*solver, model);
-    const double ledger = solver->energies().hourglass;
+    const double ledger = solver->ledger().energies().hourglass;
     EXPECT_GT(ledger, 0);
     EXPECT_NEAR(sumOf(fields.hourglass), ledger, 5e-3 * ledger);
     EXPECT_EQ(sumOf(fields.bending), 0);
@@ -102,7 +102,7 @@ TEST(SectionFields, UtilisationIsOneWhereTheSectionFlowsAndNeverMore)
     for (int i = 0; i < 20; ++i) {
         solver->advance(1, 10);
         const SectionFields fields = fieldsOf(*solver, model);
-        const ElementValues values = solver->elementValues();
+        const ElementValues values = solver->elements().values();
         for (std::size_t e = 0; e < fields.utilisation.size(); ++e) {
             EXPECT_LE(fields.utilisation[e], 1 + 1e-6); // hourglass strains are floats
             most = std::max(most, fields.utilisation[e]);

@@ -69,19 +69,19 @@ TEST(ContactLaw, StuckPairKeepsItsTractionThroughAFullTurn)
     for (const char axis : {'x', 'y', 'z'}) {
         const auto solver = startedSolver(turningPair(axis, "objective"));
         solver->advance(1e-5, 100000);
-        const Point start = solver->pairForce(0).force;
+        const Point start = solver->contact().force(0).force;
         const double tangential = std::hypot(start[0], start[1]);
         EXPECT_GT(tangential, 0.1 * start[2]);
         EXPECT_NEAR(start[0] / start[1], -2, 1e-6); // against the shear
-        const double lost = solver->energies().friction;
+        const double lost = solver->ledger().energies().friction;
         for (int part = 1; part <= 8; ++part) {
             solver->advance(1e-5 + 4e-4 * part / 8, 1000000);
-            const Point now = turnedBack(solver->pairForce(0).force, axis, turn * part / 8);
+            const Point now = turnedBack(solver->contact().force(0).force, axis, turn * part / 8);
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(now[c], start[c], 0.01 * tangential)
                     << axis << " after " << part << " eighths, component " << c;
         }
-        EXPECT_NEAR(solver->energies().friction, lost, 1e-12);
+        EXPECT_NEAR(solver->ledger().energies().friction, lost, 1e-12);
     }
 }
 
@@ -92,9 +92,9 @@ TEST(ContactLaw, StuckPairKeepsItsTractionInEveryPrecision)
         model.control.precision = precision;
         const auto solver = startedSolver(model);
         solver->advance(1e-5, 100000);
-        const Point start = solver->pairForce(0).force;
+        const Point start = solver->contact().force(0).force;
         solver->advance(1e-5 + 4e-4, 1000000);
-        const Point now = solver->pairForce(0).force;
+        const Point now = solver->contact().force(0).force;
         const double tangential = std::hypot(start[0], start[1]);
         for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(now[c], start[c], 0.01 * tangential);
     }
@@ -104,9 +104,9 @@ TEST(ContactLaw, FrictionAsPrintedDoesNotTurnWithTheBodies)
 {
     const auto solver = startedSolver(turningPair('z', "paper"));
     solver->advance(1e-5, 100000);
-    const Point start = solver->pairForce(0).force;
+    const Point start = solver->contact().force(0).force;
     solver->advance(1e-5 + 4e-4 / 4, 1000000);
-    const Point now = solver->pairForce(0).force;
+    const Point now = solver->contact().force(0).force;
     EXPECT_NEAR(now[0], start[0], 0.05 * std::hypot(start[0], start[1])); // still along x, y
     EXPECT_NEAR(now[1], start[1], 0.05 * std::hypot(start[0], start[1]));
 }
@@ -141,13 +141,13 @@ double measuredStiffness(PenaltyRule rule, bool rigidTarget = false)
     model.control.massDamping = 2e6;
     const auto solver = startedSolver(model);
     solver->advance(1e-4, 1000000);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     double gap = 0;
     for (const Index i : model.contactPairs[0].contactorNodes)
         gap += values.at(0, std::size_t(i))[2] / 4;
     for (const Index i : nodesOf(model.mesh, model.contactPairs[0].targetSides))
         gap -= values.at(0, std::size_t(i))[2] / 4;
-    return -solver->pairForce(0).force[2] / (4 * gap);
+    return -solver->contact().force(0).force[2] / (4 * gap);
 }
 
 TEST(ContactLaw, PenaltyTakesTheStiffnessAskedFor)
@@ -177,9 +177,9 @@ TEST(ContactLaw, DampedImpactOfBlocksBooksWhatItTakes)
     const auto damped = startedSolver(model);
     plain->advance(1.2e-5, 100000);
     damped->advance(1.2e-5, 100000);
-    EXPECT_EQ(plain->energies().contactDamping, 0);
-    EXPECT_GT(damped->energies().contactDamping, 0);
-    EXPECT_LT(std::abs(damped->energies().balance), 0.005);
+    EXPECT_EQ(plain->ledger().energies().contactDamping, 0);
+    EXPECT_GT(damped->ledger().energies().contactDamping, 0);
+    EXPECT_LT(std::abs(damped->ledger().energies().balance), 0.005);
     EXPECT_GT(damped->clock().contactFrequency, plain->clock().contactFrequency * 1.2);
 }
 
@@ -224,7 +224,7 @@ bool caught(double speed, double start, ContactSearch search = ContactSearch::fa
     const auto solver = startedSolver(model);
     while (solver->clock().time * speed * c < start + 1.5 && !solver->clock().failed) {
         solver->advance(1, 1);
-        if (solver->pairForce(0).active == 4) return true;
+        if (solver->contact().force(0).active == 4) return true;
     }
     return false;
 }
