@@ -74,7 +74,7 @@ def check(binaries, marks):
                    and int(first["pid"]) > 0 and first["host"] and first["started"])
         shorter(case)
         output = case.run("fpmExplicit")
-        told = (f"moved into previous/ what run {first['runId']} left: 6 frames, 4 tables, "
+        told = (f"moved into previous/ what run {first['runId']} left: 6 frames, 3 tables, "
                 "3 pictures")
         marks.true(told, told in output)
         probed = case.run("fpmProbe")
