@@ -6,17 +6,18 @@
 
 namespace fpm {
 
-/// How one contactor in touch stands to its target. It only reads what the force pass left.
+/// Contact state of one contactor in contact. Reads the results of ContactForce only.
 struct Touch {
-    double weight = 1;    ///< of a whole contactor; half of it lies on a plane of symmetry
-    double depth = 0;     ///< of the contactor inside the target, overlaps that are forgiven too
-    double thickness = 0; ///< of the target there; 0: it has none
-    double normal = 0;    ///< force of its normal spring
+    double weight = 1;    ///< 1 for a whole contactor, halved for each symmetry plane on which it
+                          ///< lies
+    double depth = 0;     ///< of the contactor inside the target, forgiven initial depths included
+    double thickness = 0; ///< of the target there; 0: unlimited
+    double normal = 0;    ///< force of the normal penalty spring
     Vec3<double> friction{0, 0, 0}; ///< force on the contactor
-    Vec3<double> slip{0, 0, 0};     ///< velocity against the target, along it
+    Vec3<double> slip{0, 0, 0};     ///< relative velocity in the tangential plane
 };
 
-/// Normal force of a spring whose energy is known with its tangential force.
+/// Normal force from the stored energy of a contact spring and its tangential force.
 template <class Work>
 FPM_KERNEL double
 normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
@@ -29,7 +30,7 @@ normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<do
     return energy > 0 ? squareRoot(2 * stiffness * energy) : 0;
 }
 
-/// Half for each plane of symmetry, a bit each.
+/// Weight of a contactor: half for each symmetry plane, one bit each.
 FPM_KERNEL double weightOn(unsigned planes)
 {
     double weight = 1;
@@ -43,7 +44,7 @@ FPM_KERNEL Vec3<double> inDoubles(const Vec3<Work>& v)
     return {double(v.x), double(v.y), double(v.z)};
 }
 
-/// Touch of a contactor with faces.
+/// Contact state of a contactor against faces.
 template <class Numbers>
 struct FaceTouch {
     using Work = typename Numbers::Work;
@@ -78,7 +79,7 @@ struct FaceTouch {
     }
 };
 
-/// Touch of a contactor with an analytic surface.
+/// Contact state of a contactor against an analytic surface.
 template <class Numbers>
 struct SurfaceTouch {
     using Work = typename Numbers::Work;
@@ -113,21 +114,22 @@ struct SurfaceTouch {
 
 /// Order of the values a block of TouchSums writes.
 enum TouchValue {
-    touchCount,  ///< contactors in touch
+    touchCount,  ///< contactors in contact
     touchWeight, ///< sums over them, up to touchSums
     touchDepth,  ///< times weight
     touchNormal,
     touchFriction,
     touchSlip = touchFriction + 3, ///< times weight
-    touchSpeed = touchSlip + 3,    ///< length of the slip, times weight
+    touchSpeed = touchSlip + 3,    ///< slip rate times weight
     touchSums,
-    touchDeepest = touchSums, ///< the largest depth, whose it is, thickness of its target
+    touchDeepest = touchSums, ///< largest depth, its contactor, thickness of the target there
     touchContactor,
     touchThickness,
     touchValues
 };
 
-/// Adds up Touch over the contactors of a pass and finds the deepest; one block = 256 of them.
+/// Sums the contact state over the contactors of a pass and finds the deepest; one block = 256
+/// contactors.
 template <class Source>
 struct TouchSums {
     static constexpr Index block = 256;
