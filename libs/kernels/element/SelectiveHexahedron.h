@@ -4,18 +4,18 @@
 
 namespace fpm {
 
-/// The reference element beside FPM-H8R: 2 x 2 x 2 Gauss points with the mean dilatation of the
-/// element at each of them (B-bar: Nagtegaal, Parks and Rice 1974; Hughes 1980), so that neither
-/// incompressible elasticity nor plastic flow locks. No mode is without strain: there is no
-/// hourglass control. Every point turns with its own mid-step spin (Hughes and Winget 1980), the
-/// Jaumann rate, which knows no bottom and top. Bending with one element through the thickness is
-/// too stiff, as for every element of this kind. Stands where ElementForces expects an hourglass
-/// form.
+/// Reference element beside FPM-H8R: 2 x 2 x 2 Gauss points with the mean dilatation of the element
+/// at each of them (B-bar: Nagtegaal, Parks and Rice 1974; Hughes 1980), so that neither
+/// incompressible elasticity nor plastic flow locks. No mode is without strain, hence there is no
+/// hourglass control. Every point rotates with its own mid-step spin (Hughes and Winget 1980), the
+/// Jaumann rate, which has no preferred surface. Bending with one element through the thickness is
+/// too stiff, as for every element of this kind. Takes the place of the hourglass form in
+/// ElementForces.
 struct SelectiveIntegration {
     static constexpr int stateSize = 0, points = 8;
 };
 
-/// Modes with the coordinates of the Gauss points, +-1/sqrt(3), taken into them: what follows knows
+/// Modes multiplied by the coordinates of the Gauss points, +-1/sqrt(3): the functions below need
 /// signs only.
 template <class T>
 FPM_KERNEL Modes<T> gaussModes(const Modes<T>& x)
@@ -73,7 +73,7 @@ FPM_KERNEL T largestRow(const Mat3<T>& c)
                    maximum(dot(c.y, c.y) + xy + yz, dot(c.z, c.z) + yz + zx));
 }
 
-/// Corner forces of the deviators, gathered as modes in the places of gaussModes and 512 times too
+/// Corner forces of the deviators, summed as modes in the places of gaussModes, 512 times too
 /// large.
 template <class T>
 FPM_KERNEL void addPointForce(Modes<T>& force,
@@ -94,7 +94,7 @@ FPM_KERNEL void addPointForce(Modes<T>& force,
     f[7] += multiplyAdd(at.zeta, twist, (at.xi * at.eta) * t3);
 }
 
-/// What the points of an element add up over a step.
+/// Sums over the Gauss points of an element in one step.
 template <class T>
 struct PointSums {
     Modes<T> force;
@@ -186,9 +186,9 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
     return T(Real(0.5)) * mass / stiffness;
 }
 
-/// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` loads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, step: what
-/// accumulates there).
+/// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` reads and
+/// stores the state of each Gauss point: load(point, state), store(point, state, step: increments
+/// of the accumulated values).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,
                                           const Modes<T>& x,

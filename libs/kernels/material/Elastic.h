@@ -10,11 +10,12 @@ template <class T>
 struct PlasticStep {
     T strainIncrement; ///< of the equivalent plastic strain
     T work;            ///< plastic work of the stress per volume
-    T reduction;       ///< share of the trial deviator the return takes away, 0 when elastic
+    T reduction;       ///< fraction of the trial deviator removed by the return mapping, 0 when
+                       ///< elastic
 };
 
-/// Isotropic linear elasticity: stress + lambda tr(e) I + 2 mu e (method of the part model
-/// `elastic`; no plastic state is kept).
+/// Isotropic linear elasticity, eq. (7) of the paper: stress + lambda tr(e) I + 2 mu e (part model
+/// `elastic`; no plastic state is stored).
 template <class T>
 FPM_KERNEL Sym3<T>
 elasticStress(const MaterialConstants<ScalarOf<T>>& m, const Sym3<T>& stress, const Sym3<T>& strain)

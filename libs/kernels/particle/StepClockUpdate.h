@@ -14,7 +14,7 @@ struct StepClockUpdate {
     StepRules rules;
     StepClock* clock;
 
-    /// Least and most are the same in any order: as many lanes as there are threads.
+    /// Minimum and maximum do not depend on the order: as many lanes as there are threads.
     static constexpr Index mostLanes = 256;
     static constexpr std::size_t scratch() { return 2 * (mostLanes + 16) * sizeof(double); }
 
