@@ -4,7 +4,8 @@
 
 namespace fpm {
 
-/// The work of fpmAdvise: looks, prints what it advises, and does what the options ask for.
+/// The work of fpmAdvise: examines the case, prints the advice, and carries out what the options
+/// demand.
 void advise(Run& run);
 
 /// Its options.

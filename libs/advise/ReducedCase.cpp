@@ -19,7 +19,7 @@ namespace {
 
 const char* const meshFile = "constant/mesh.vtkhdf";
 
-/// Removes a folder on its way out, unless it was kept.
+/// Removes a folder at the end of its scope, unless it was kept.
 class Draft
 {
 public:
@@ -92,7 +92,7 @@ std::vector<std::string> cutNotes(const Model& model, const Cut& cut)
                            planes, cut.factor()));
     for (const History& history : model.control.histories) {
         if (history.kind == History::Kind::reaction)
-            notes.push_back(format("history '{}' has the factor {}: it tells the force of the "
+            notes.push_back(format("history '{}' has the factor {}: it gives the force of the "
                                    "whole in the planes; across them the whole has none",
                                    history.name, toText(history.factor * cut.factor())));
         else if (history.kind == History::Kind::energies)

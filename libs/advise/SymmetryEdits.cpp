@@ -114,7 +114,7 @@ private:
             edits_.additions[conditions] += forceText(condition, name, shareOf(planes));
         }
         edits_.notes.push_back(
-            format("the force '{}' is shared out anew: nodes on a mirror plane are half nodes",
+            format("the force '{}' is distributed again: nodes on a mirror plane are half nodes",
                    condition.name));
     }
 

@@ -140,7 +140,8 @@ public:
                 entries_.push_back({key(sideNodes({element, side})), {element, side}});
         std::sort(entries_.begin(), entries_.end());
     }
-    /// The side with these nodes that looks the way the quadrangle does, else the first, else -1.
+    /// The side with these nodes whose outward normal has the direction of the quadrangle's, else
+    /// the first, else -1.
     ElementSide find(const Quad& quad) const
     {
         const auto range =

@@ -23,7 +23,7 @@ namespace fpm {
 
 namespace {
 
-/// FNV-1a, 64 bit: two surfaces' texts are told apart, nothing is defended.
+/// FNV-1a, 64 bit: distinguishes the texts of two surfaces, no protection against intent.
 std::string fingerprint(std::string_view text)
 {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -83,7 +83,7 @@ void refuseTargetsTurnedAway(const ContactFit& fit, const Dictionary& pair)
               format("all contactor nodes lie behind the target, {} of its faces point away from "
                      "the nodes nearest to them: it would draw them in",
                      fit.facesPointingAway),
-              "choose the side that looks at the contactor with a side set or 'facing'");
+              "choose the side that faces the contactor with a side set or 'facing'");
 }
 
 /// Moves the contactors that overlap to the target's surface; refuses where that would turn an
@@ -175,7 +175,7 @@ ContactSurfaces setPair(Mesh& mesh,
     return surfaces;
 }
 
-/// All exterior faces of all parts; overlaps are looked for between parts whose boxes meet.
+/// All exterior faces of all parts; overlaps are searched between parts whose boxes intersect.
 ContactSurfaces setGeneral(const Mesh& mesh,
                            const PairEntry& entry,
                            const std::vector<bool>& rigid,

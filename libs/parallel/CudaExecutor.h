@@ -68,7 +68,8 @@ __global__ void __launch_bounds__(256) launchEach(Index count, Kernel kernel)
     if (i < count) kernel(i);
 }
 
-/// Blocks that a multiprocessor should hold at once, where a kernel tells: registers are shared.
+/// Blocks that a multiprocessor should hold at once, where a kernel states them: registers are
+/// shared.
 template <class Kernel>
 constexpr int blocksPerProcessor()
 {

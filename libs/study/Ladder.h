@@ -12,7 +12,7 @@ struct Ladder {
     std::string name;
     std::vector<std::string> values;              ///< of the rungs, as they are called
     std::vector<std::vector<CaseChange>> changes; ///< of every value
-    std::vector<double> steps; ///< of every value: whose order is told; empty where none is
+    std::vector<double> steps; ///< of every value: whose order is reported; empty where none is
     /// Of every value: a smaller one is finer; empty where no value is finer than another.
     std::vector<double> coarseness;
 };

@@ -149,7 +149,7 @@ def blocks(binaries, marks):
 
 
 def measured(binaries, marks):
-    """-measure tells the same error as our comparison does, and leaves nothing behind."""
+    """-measure finds the same error as our comparison does, and leaves nothing behind."""
     with block(binaries) as case:
         case.replace("constant/partProperties", "rotation polar;",
                      "rotation polar; hourglass { form stiffness; coefficient 0.05; }")
