@@ -112,7 +112,7 @@ TEST_F(PilotAdviceTest, PartsThatTakeTheirModelFromAnotherKeepIt)
     }
 }
 
-TEST_F(PilotAdviceTest, SweptBoxesStayApartByTwiceTheWayBetweenFrames)
+TEST_F(PilotAdviceTest, SweptBoxesStayApartByTwiceTheDisplacementBetweenFrames)
 {
     // The upper block starts 2 higher and comes down by 1 in some frame.
     for (const Index node : model_.contactPairs[0].contactorNodes) {

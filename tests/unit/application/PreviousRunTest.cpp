@@ -257,7 +257,7 @@ TEST_F(PreviousRun, CopiesAndLinksOfResultsStay)
     EXPECT_EQ(outsidePrevious(), left);
 }
 
-TEST_F(PreviousRun, BehindALinkStaysAndIsTold)
+TEST_F(PreviousRun, BehindALinkStaysAndIsReported)
 {
     const TemporaryCase other;
     fs::rename(folder.root() / "postProcessing", other.root() / "postProcessing");

@@ -66,8 +66,8 @@ TEST(Friction, GivesNothingBackOverACycle)
     }
 }
 
-/// Turning points (and the place at the end) of a mass on a spring that rubs: m x'' = load - k x +
-/// F.
+/// Turning points (and the position at the end) of a mass on a spring with friction: m x'' = load -
+/// k x + F.
 std::vector<double>
 turningPoints(double mass, double k, double load, double mu, double normal, double x, double end)
 {
@@ -86,7 +86,7 @@ turningPoints(double mass, double k, double load, double mu, double normal, doub
     return out;
 }
 
-TEST(Friction, MassOnASpringLosesTheSameWayEachHalfCycleAndSticks)
+TEST(Friction, MassOnASpringLosesTheSameAmplitudeEachHalfCycleAndSticks)
 {
     // Each half cycle takes 2 mu m g / k = 0.3924 mm; it sticks in the 13th at 0.1012 mm.
     const auto x = turningPoints(1, 1e4, 0, 0.2, 9.81, 5e-3, 0.6);
@@ -159,7 +159,7 @@ TEST(Friction, FrameTurnsWithItsFace)
     }
 }
 
-TEST(Friction, SlipIsTheWayOverTheMaterialOfTheFace)
+TEST(Friction, SlipIsTheDisplacementOverTheMaterialOfTheFace)
 {
     const Scene scene;
     const FaceCorners<double> face = scene.face({0, 0, 1}, 0.4);

@@ -33,7 +33,8 @@ SolverData twoPairs(double reach, Index blocks)
     return data;
 }
 
-/// The looks of a solver, told where the contact nodes have come; waiting passes are arranged.
+/// List checks of a solver for given displacements of the contact nodes; lists of waiting passes
+/// are rebuilt.
 class ListChecks
 {
 public:
@@ -49,8 +50,8 @@ public:
         for (std::size_t pass = 0; pass < states_.size(); ++pass) arrange(pass);
     }
 
-    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Ways and speeds of the
-    /// blocks of contact nodes since the last search of any.
+    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Displacements and speeds of
+    /// the blocks of contact nodes since the last rebuild of any.
     std::string operator()(const std::vector<double>& distances, const std::vector<double>& speeds)
     {
         std::vector<double> displacements;
@@ -83,7 +84,7 @@ public:
     StepClock& clock() { return clock_; }
 
     StepRules rules;
-    double rounding = 0; ///< in the ways told
+    double rounding = 0; ///< of the given displacements
 
 private:
     using Executor = CpuExecutor<64>;
@@ -127,7 +128,7 @@ ListChecks apart(double reach, double distance)
 
 const std::vector<double> still(4, 0.0);
 
-TEST(ListCheck, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
+TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 {
     ListChecks check = arranged(1, 1, 0);
     check(still, still);
@@ -136,12 +137,13 @@ TEST(ListCheck, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
     EXPECT_EQ(check.steps(), 10);
 }
 
-TEST(ListCheck, AWayBeforeTheSearchOfAnotherPairIsNotForgotten)
+TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 {
     ListChecks check = arranged(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({2, 0, 0.6, 0}, still), "0: 0");
-    // Positions were remembered then: another 0.5 is 1.1 for the second pair, 0.5 for the first.
+    // Reference positions were stored then: another 0.5 is 1.1 for the second pass, 0.5 for the
+    // first.
     EXPECT_EQ(check({0.5, 0, 0.5, 0}, still), "1: 0");
     EXPECT_EQ(check({0.4, 0, 0.9, 0}, still), "");
 }
@@ -150,10 +152,10 @@ TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 {
     ListChecks check = arranged(1, 1, 0);
     check(still, still);
-    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, eleven and a bit the reach.
+    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, a little more than eleven the skin.
     EXPECT_EQ(check(still, {0.03, 0.03, 0, 0}), "");
     EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
-    // Faster than ten steps can bear even from a fresh search: fewer, but one at least.
+    // Too fast for ten steps even after a rebuild: fewer steps, but at least one.
     check(still, {0.1, 0.1, 0, 0});
     EXPECT_EQ(check.steps(), 3);
     check(still, {100, 0, 0, 0});
@@ -164,15 +166,16 @@ TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 
 TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 {
-    // Three blocks a surface, 100 reaches apart; ways in the order of the surfaces.
+    // Three blocks a surface, 100 skins apart; displacements in the order of the surfaces.
     ListChecks check = arranged(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
-    distances[4] = 1.5; // the middle of the first pair's target
+    distances[4] = 1.5; // the middle block of the first pass's target
     EXPECT_EQ(check(distances, slow), "0: 1");
     distances[4] = 0;
-    distances[0] = 0.9; // of the first contactors; the middle ones were searched meanwhile
+    distances[0] = 0.9; // of the first contactors; the lists of the middle ones were rebuilt
+                        // meanwhile
     EXPECT_EQ(check(distances, slow), "");
     distances[0] = 1.1;
     EXPECT_EQ(check(distances, slow), "0: 0");
@@ -187,9 +190,9 @@ TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
     distances[4] = 3;
     EXPECT_EQ(check(distances, slow), "0: 1");
     EXPECT_EQ(check(distances, slow), "0: 1");
-    // 3 + 3 + 3 is more than the 7 reaches for which is known what is near.
+    // 3 + 3 + 3 is more than the 7 skins for which the neighbourhood is complete.
     EXPECT_EQ(check(distances, slow), "0: all");
-    // It was arranged where it is: whatever its speed, the next look lets it go on.
+    // It was rebuilt at the present positions: at any speed the next check lets it continue.
     EXPECT_EQ(check(slow, distances), "");
     EXPECT_EQ(check.steps(), 1);
 }
@@ -203,15 +206,16 @@ TEST(ListCheck, AFixedStepIsForeseenAfterOneThatWasCut)
     EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
 }
 
-TEST(ListCheck, WhatIsNearIsKnownForAsManyStepsAsFollow)
+TEST(ListCheck, NeighboursStayCompleteForAsManyStepsAsFollow)
 {
-    // The target comes from afar, four reaches a step with all haste; no contactor is near it.
+    // The target approaches from far, four skins a step with the safety factor; no contactor is
+    // near it.
     ListChecks check = apart(1, 200);
     const std::vector<double> speeds{0, 4 / 1.5, 0, 0};
     check(still, still);
     EXPECT_EQ(check({0, 7, 0, 0}, speeds), "0: all");
     EXPECT_EQ(check(still, speeds), "");
-    EXPECT_EQ(check.steps(), 1); // of the seven reaches
+    EXPECT_EQ(check.steps(), 1); // of the seven skins
     EXPECT_EQ(check.late(), 0);
 }
 
@@ -237,7 +241,7 @@ TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
     distances[4] = 1.1; // of block 1 alone
     check(distances, slow);
     EXPECT_EQ(check.late(), 1);
-    distances[4] = 9; // and what was near it is not known any more
+    distances[4] = 9; // and its neighbourhood is no longer complete
     check(distances, slow);
     EXPECT_EQ(check.late(), 3);
 }
@@ -246,7 +250,7 @@ TEST(ListCheck, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
 {
     ListChecks check = arranged(1, 1, 0);
     check(still, still);
-    check.rounding = 0.3; // of each side, at both ends of a way
+    check.rounding = 0.3; // of each side, at both ends of a displacement
     EXPECT_EQ(check({1.1, 0, 0, 0}, still), "0: 0");
     EXPECT_EQ(check.late(), 0);
     EXPECT_EQ(check({2.3, 0, 0, 0}, still), "0: 0");
@@ -265,13 +269,13 @@ TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
     };
     EXPECT_EQ(text(100), "--------"); // contactors and, below each of them, the target's nodes
     EXPECT_EQ(text(0), "----ssss");   // all in one place
-    // Within 24 reaches: those beside the border of the two threads.
+    // Within 24 skins: those beside the border of the two threads.
     EXPECT_EQ(text(15), "-----ss-");
 }
 
 TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
 {
-    // One face as wide as 100 reaches whose corners lie in two blocks of contact nodes, and a block
+    // One face as wide as 100 skins whose corners lie in two blocks of contact nodes, and a block
     // of contactors over its middle.
     SolverData data;
     data.passes.resize(1);

@@ -111,7 +111,7 @@ TEST(RunForecast, ARunThatTheDiskCannotHoldDoesNotBegin)
     EXPECT_NO_THROW(reportStart(*solver, model, folder.root(), 10, log));
 }
 
-TEST(RunForecast, EndlessRunsAreTold)
+TEST(RunForecast, EndlessRunsAreReported)
 {
     Control control;
     control.endTime = 1;
