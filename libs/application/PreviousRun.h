@@ -26,7 +26,7 @@ bool isPreviousRun(const std::filesystem::path& folder);
 void clearForRun(const std::filesystem::path& caseRoot, const std::string& mode, Log& log);
 
 /// Called before the mesh is replaced: frames in the case are shown through a link to it, so it is
-/// kept until they go into `previous`. Does nothing where the file system knows no hard links.
+/// kept until they go into `previous`. Does nothing where the file system has no hard links.
 void keepMeshOfFrames(const std::filesystem::path& caseRoot);
 
 /// Removes the temporary files that killed programs left in a case; the caller holds its lock.

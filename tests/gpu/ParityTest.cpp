@@ -29,7 +29,7 @@ std::string backendUnderTest()
     return named ? named : "cuda";
 }
 
-/// What two backends must agree on: the state, and all that the host is told.
+/// What two backends must agree on: the state, and all that the host reads.
 struct Outcome {
     std::uint64_t state = 0;
     std::map<std::string, std::vector<double>> read;

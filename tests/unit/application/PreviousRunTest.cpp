@@ -170,7 +170,7 @@ TEST_F(PreviousRun, GoesWithItsMeshWhereThereIsAnotherNow)
 
 TEST_F(PreviousRun, GoesWithoutTheMeshOfAnother)
 {
-    first.mesh("fedcba9876543210"); // in a way that does not keep the old one
+    first.mesh("fedcba9876543210"); // so that the old one is not kept
 
     clear();
 

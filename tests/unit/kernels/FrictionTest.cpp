@@ -216,7 +216,7 @@ TEST(Penalty, TakesTheSideAsked)
 TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
 {
     // Half a period of a damped oscillator: e = exp(-zeta pi / sqrt(1 - zeta^2)) where the spring
-    // may pull; it may not, and lets go a little faster.
+    // may pull; it may not, and separates a little faster.
     for (const double zeta : {0.05, 0.2}) {
         double force = 0, damped = 0;
         PassLaw<double> pair{};
@@ -238,9 +238,9 @@ TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
         // The force of the free oscillator is 0 at phase pi - 2 asin(zeta), before it pulls.
         const double phi =
             M_PI - std::atan2(2 * zeta * std::sqrt(1 - zeta * zeta), 1 - 2 * zeta * zeta);
-        const double letGo = std::exp(-zeta * phi / std::sqrt(1 - zeta * zeta));
+        const double separated = std::exp(-zeta * phi / std::sqrt(1 - zeta * zeta));
         EXPECT_GT(v, exact);
-        EXPECT_NEAR(v, letGo, 1e-3) << zeta;
+        EXPECT_NEAR(v, separated, 1e-3) << zeta;
         EXPECT_NEAR(damped, 0.5 * mass * (1 - v * v), 2e-4 * mass);
     }
 }
