@@ -42,7 +42,7 @@ private:
     fs::path folder_;
 };
 
-/// Kept aside under another name, so that nobody takes it for what made this case.
+/// Renames a file that did not make this case.
 void setAside(const fs::path& folder, const std::string& file, const std::string& name)
 {
     if (fs::exists(folder / file)) fs::rename(folder / file, folder / name);

@@ -124,7 +124,7 @@ private:
 
 namespace {
 
-/// What performance.json says of a key, up to one of `ends`; empty where it does not know it.
+/// Value of a key of performance.json, up to one of `ends`; empty where it is absent.
 std::string valueOf(const std::string& text, const std::string& key, const char* ends)
 {
     const std::string quoted = format("\"{}\": ", key);

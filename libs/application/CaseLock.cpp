@@ -31,7 +31,7 @@ std::string holder(int descriptor)
     return text.empty() ? nobodyKnown : text;
 }
 
-/// 0, or the error. Locks belong to the open file (not the process) where the system knows such.
+/// 0, or the error. Locks belong to the open file (not the process) where the system supports it.
 int lockWhole(int descriptor)
 {
     struct flock whole {};

@@ -81,7 +81,7 @@ void refuseCells(const std::string& file,
            advice + " (the numbers are gmsh's element tags)");
 }
 
-/// What checkMesh would refuse as well, but only by numbers the file does not know.
+/// Checks that checkMesh would make as well, but only with numbers that are not those of the file.
 void checkCells(const std::string& file, const ImportedMesh& imported)
 {
     Mesh mesh;

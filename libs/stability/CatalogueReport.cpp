@@ -66,7 +66,7 @@ void printRow(const CatalogueRow& row, Log& log)
     }
 }
 
-/// Runs all rows; `told` is called for each as it is done, never concurrently.
+/// Runs all rows in `threads` threads.
 void runRows(std::vector<CatalogueRow>& rows, int threads)
 {
     std::atomic<std::size_t> next{0};

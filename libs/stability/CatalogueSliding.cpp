@@ -226,7 +226,7 @@ Measure restingSlip(double width, ContactVariant variant)
 }
 
 /// F21: a block pressed with changing force and sheared to and fro beyond sticking. Worst error of
-/// the balance, or the share of the friction work that came back.
+/// the balance, or the share of the friction work that was returned.
 Measure cyclicShear(ContactVariant variant)
 {
     Model model;

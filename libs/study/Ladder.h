@@ -20,9 +20,9 @@ struct Ladder {
 /// The entries of `fixed`: what all runs of a chart have. Throws as readLadders.
 std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase);
 
-/// The entries of `ladders`, for runs that have `fixed`. Throws InputError for entries that neither
-/// the case nor folders laid over it nor the annotated dictionaries know, unknown folders, values
-/// given twice, names or steps that are not one a value.
+/// The entries of `ladders`, for runs that have `fixed`. Throws InputError for entries that are
+/// neither in the case nor in folders laid over it nor in the annotated dictionaries, unknown
+/// folders, values given twice, names or steps that are not one per value.
 std::vector<Ladder> readLadders(const Dictionary& entries,
                                 const Case& theCase,
                                 const std::vector<CaseChange>& fixed = {});

@@ -18,8 +18,8 @@ struct ProcessEnd {
     bool succeeded() const { return exitCode == 0 && signal == 0; }
 };
 
-/// Remembers Ctrl-C, SIGTERM and SIGHUP while it lives, so that a row under way is not lost half
-/// made. One at a time.
+/// Holds back Ctrl-C, SIGTERM and SIGHUP during its life, so that a row in progress is completed.
+/// One at a time.
 class Interrupt
 {
 public:
