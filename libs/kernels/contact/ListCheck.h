@@ -140,7 +140,7 @@ private:
 struct PassListCheck {
     ListCheck check;
 
-    static constexpr Index lanes = 256, groups = 16;
+    static constexpr Index lanes = reductionLanes, groups = reductionGroups;
     static constexpr int sides = 2; ///< own nodes, target nodes
     static constexpr std::size_t scratch()
     {

@@ -128,28 +128,27 @@ enum TouchValue {
     touchValues
 };
 
-/// Sums the contact state over the contactors of a pass and finds the deepest; one block = 256
-/// contactors.
+/// Sums the contact status over the contactors of a pass and finds the deepest; one block =
+/// contactBlock of them.
 template <class Source>
 struct TouchSums {
-    static constexpr Index block = 256;
-
     Index count;
     Source source;
     double* blockValues; ///< [block][touchValues]
 
     static constexpr std::size_t scratch()
     {
-        return (touchSums + 2) * block * sizeof(double) + blockSumScratch(touchSums);
+        return (touchSums + 2) * contactBlock * sizeof(double) + blockSumScratch(touchSums);
     }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         double* values = reinterpret_cast<double*>(team.scratch());
-        double* deepest = values + touchSums * block; // depth and thickness of each
-        double* partial = deepest + 2 * block;
-        const Index first = number * block, size = count - first < block ? count - first : block;
+        double* deepest = values + touchSums * contactBlock; // depth and thickness of each
+        double* partial = deepest + 2 * contactBlock;
+        const Index first = number * contactBlock,
+                    size = count - first < contactBlock ? count - first : contactBlock;
         team.forEach(size, [&](Index i) {
             Touch touch;
             const bool touches = source(first + i, touch);
@@ -165,12 +164,12 @@ struct TouchSums {
                                            w * touch.slip.y,
                                            w * touch.slip.z,
                                            w * squareRoot(dot(touch.slip, touch.slip))};
-            for (int k = 0; k < touchSums; ++k) values[k * block + i] = all[k];
+            for (int k = 0; k < touchSums; ++k) values[k * contactBlock + i] = all[k];
             deepest[i] = touch.depth;
-            deepest[block + i] = touch.thickness;
+            deepest[contactBlock + i] = touch.thickness;
         });
         team.barrier();
-        blockSums(team, touchSums, size, values, block, partial);
+        blockSums(team, touchSums, size, values, contactBlock, partial);
         team.barrier();
         double* out = blockValues + std::size_t(number) * touchValues;
         team.forEach(touchSums, [=](Index k) { out[k] = blockSumResult(partial, int(k)); });
@@ -180,7 +179,7 @@ struct TouchSums {
                 if (deepest[i] > deepest[at]) at = i;
             out[touchDeepest] = deepest[at];
             out[touchContactor] = double(first + at);
-            out[touchThickness] = deepest[block + at];
+            out[touchThickness] = deepest[contactBlock + at];
         });
     }
 };

@@ -8,7 +8,7 @@ namespace {
 /// Depth of a node inside the plane z = 0 of the lower block, which does not move.
 double depthOf(Solver& solver, Index node)
 {
-    return std::max(0.0, -solver.nodeValues({node}).at(0, 0)[2]);
+    return std::max(0.0, -solver.nodes().values({node}).at(0, 0)[2]);
 }
 
 /// A block that was pushed into another, both held so that nothing but the depth counts.
@@ -25,16 +25,16 @@ TEST(PairTouch, TellsTheDeepestContactorAndTheMeanOfThoseInTouch)
     for (const std::string precision : {"double", "single"}) {
         Model model = pushed(0.02, precision);
         const auto solver = startedSolver(model);
-        const PairTouch touch = solver->pairTouch(0);
+        const PairTouch touch = solver->contact().touch(0);
         EXPECT_EQ(touch.active, 30);
-        EXPECT_EQ(touch.active, solver->pairForce(0).active);
+        EXPECT_EQ(touch.active, solver->contact().force(0).active);
         EXPECT_NEAR(touch.maxDepth, 0.02, 1e-6);
         EXPECT_NEAR(touch.meanDepth, 0.02, 1e-6);
         EXPECT_NEAR(touch.thickness, 1, 1e-6); // four layers of 4 mm
         ASSERT_GE(touch.deepest, 0);
         EXPECT_NEAR(depthOf(*solver, touch.deepest), touch.maxDepth, 1e-6);
         // Nothing slips yet: the force of the pair is that of its normal springs.
-        EXPECT_NEAR(touch.normal, solver->pairForce(0).force[2], 1e-5 * touch.normal);
+        EXPECT_NEAR(touch.normal, solver->contact().force(0).force[2], 1e-5 * touch.normal);
         EXPECT_EQ(touch.speed, 0);
     }
 }
@@ -65,7 +65,7 @@ TEST(PairTouch, HalfAModelTellsTheMeansOfTheWhole)
         }
         model.control.backend = "serial";
         model.control.endTime = 1;
-        return startedSolver(model)->pairTouch(0);
+        return startedSolver(model)->contact().touch(0);
     };
     const PairTouch whole = touchOf(false), half = touchOf(true);
     EXPECT_EQ(whole.active, 15);
@@ -83,8 +83,8 @@ TEST(PairTouch, SlidingDeliversCoulombsFriction)
     holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
     const auto solver = startedSolver(model);
     solver->advance(1e-6, 100000);
-    const PairTouch touch = solver->pairTouch(0);
-    const PairForce force = solver->pairForce(0);
+    const PairTouch touch = solver->contact().touch(0);
+    const PairForce force = solver->contact().force(0);
     ASSERT_GT(touch.normal, 0);
     EXPECT_GT(touch.slip[0], 0.5 * 2e4);
     EXPECT_NEAR(touch.friction[0], -0.3 * touch.normal, 0.02 * touch.normal);
@@ -99,11 +99,11 @@ TEST(PairTouch, AskingChangesNoBit)
     const auto asked = startedSolver(model), silent = startedSolver(model);
     for (int step = 0; step < 200; ++step) {
         asked->advance(1, 1);
-        asked->pairTouch(0);
-        asked->energies();
+        asked->contact().touch(0);
+        asked->ledger().energies();
         silent->advance(1, 1);
     }
-    EXPECT_EQ(asked->stateChecksum(), silent->stateChecksum());
+    EXPECT_EQ(stateChecksum(*asked), stateChecksum(*silent));
 }
 
 TEST(PairTouch, AnAnalyticSurfaceHasDepthAndNoThickness)
@@ -121,11 +121,11 @@ TEST(PairTouch, AnAnalyticSurfaceHasDepthAndNoThickness)
     model.control.backend = "serial";
     model.control.endTime = 1;
     const auto solver = startedSolver(model);
-    const PairTouch touch = solver->pairTouch(0);
+    const PairTouch touch = solver->contact().touch(0);
     EXPECT_EQ(touch.active, 9);
     EXPECT_NEAR(touch.maxDepth, 0.05, 1e-12);
     EXPECT_EQ(touch.thickness, 0);
-    EXPECT_NEAR(touch.normal, solver->pairForce(0).force[2], 1e-9 * touch.normal);
+    EXPECT_NEAR(touch.normal, solver->contact().force(0).force[2], 1e-9 * touch.normal);
 }
 
 } // namespace
