@@ -46,7 +46,7 @@ ProcessEnd runProcess(const std::vector<std::string>& command,
 /// Work for a child process, so that a library that crashes on a hostile file takes nothing with
 /// it.
 struct ChildTask {
-    std::string subject; ///< begins what is told of a child that dies: "<subject>: rejected, ..."
+    std::string subject; ///< begins the message about a child that dies: "<subject>: rejected, ..."
     ExitCode code;       ///< and this is its code
     std::string advice;
     std::uint64_t memoryBytes = 0; ///< beyond what the parent has; 0: no limit

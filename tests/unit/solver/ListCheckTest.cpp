@@ -50,7 +50,7 @@ public:
         clock_.stop = 1e9;
         clock_.step = 1;
         rules.growth = 1;
-        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) arrange(pass);
+        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) rebuild(pass);
     }
 
     /// "0: all", "1: 0 2" for the passes that are due and their blocks. Displacements and speeds of
@@ -74,13 +74,13 @@ public:
         std::ostringstream text;
         for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) {
             const PassListState& found = fields_->lists.data()[pass];
-            if (!found.whole && found.due == 0) continue;
+            if (!found.rebuild && found.due == 0) continue;
             text << (text.tellp() > 0 ? ", " : "") << pass << ":";
             for (std::int64_t k = 0; k < found.due; ++k) text << " " << checks[pass].list[k];
-            if (!found.whole) continue;
+            if (!found.rebuild) continue;
             text << " all";
             EXPECT_FALSE(clock_.mayStep());
-            arrange(pass);
+            rebuild(pass);
         }
         return text.str();
     }
@@ -95,12 +95,12 @@ public:
 private:
     using Executor = CpuExecutor<64>;
 
-    void arrange(std::size_t pass)
+    void rebuild(std::size_t pass)
     {
-        near_.arrange(pass, positions_);
-        fields_->passLists[pass]->arrange(near_.passes()[pass]);
+        near_.rebuild(pass, positions_);
+        fields_->passLists[pass]->rebuild(near_.passes()[pass]);
         fields_->lists.data()[pass] = {};
-        fields_->lists.data()[pass].fresh = 1;
+        fields_->lists.data()[pass].rebuilt = 1;
     }
 
     Executor executor_{1, PassListCheck::scratch()};
@@ -112,7 +112,7 @@ private:
 };
 
 /// Block k of each surface lies at x = k * spacing.
-ListChecks arranged(double reach, Index blocks, double spacing)
+ListChecks rebuiltChecks(double reach, Index blocks, double spacing)
 {
     const std::size_t count = std::size_t(4 * blocks * contactBlock);
     NearBlocks::Positions positions(3 * count);
@@ -135,7 +135,7 @@ const std::vector<double> still(4, 0.0);
 
 TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({0.5, 0.49, 0, 0}, still), "");
     EXPECT_EQ(check({0.5, 0.51, 0, 0}, still), "0: 0");
@@ -144,7 +144,7 @@ TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 
 TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({2, 0, 0.6, 0}, still), "0: 0");
     // Reference positions were stored then: another 0.5 is 1.1 for the second pass, 0.5 for the
@@ -155,7 +155,7 @@ TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 
 TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, a little more than eleven the skin.
     EXPECT_EQ(check(still, {0.03, 0.03, 0, 0}), "");
@@ -172,7 +172,7 @@ TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 {
     // Three blocks a surface, 100 skins apart; displacements in the order of the surfaces.
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -188,7 +188,7 @@ TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 
 TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -204,7 +204,7 @@ TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
 
 TEST(ListCheck, AFixedStepIsForeseenAfterOneThatWasCut)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     check.clock().step = 0.01; // to meet a time; the next ones are 1 again
     check.rules.fixedStep = 1;
@@ -236,7 +236,7 @@ TEST(ListCheck, BlocksWithNothingNearDoNotSearch)
 
 TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -253,7 +253,7 @@ TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
 
 TEST(ListCheck, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     check.rounding = 0.3; // of each side, at both ends of a displacement
     EXPECT_EQ(check({1.1, 0, 0, 0}, still), "0: 0");
@@ -268,7 +268,8 @@ TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
     const std::vector<Index> starts{0, 2};
     const auto text = [&](double spacing) {
         std::string out;
-        for (const std::uint8_t shared : arranged(1, 4, spacing).near().sharedBlocks(0, starts))
+        for (const std::uint8_t shared :
+             rebuiltChecks(1, 4, spacing).near().sharedBlocks(0, starts))
             out += shared ? 's' : '-';
         return out;
     };
@@ -284,11 +285,11 @@ TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
     // of contactors over its middle.
     SolverSetUp data;
     data.contact.passes.resize(1);
-    ContactPassSetup& pair = data.contact.passes[0];
-    pair.reach = 1;
-    pair.nodeCount = 2 * contactBlock;
-    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
-    pair.faceNode = {2 * contactBlock, 2 * contactBlock + 1, 3 * contactBlock,
+    ContactPassSetup& pass = data.contact.passes[0];
+    pass.reach = 1;
+    pass.nodeCount = 2 * contactBlock;
+    for (Index i = 0; i < pass.nodeCount; ++i) pass.contactor.push_back(i);
+    pass.faceNode = {2 * contactBlock, 2 * contactBlock + 1, 3 * contactBlock,
                      3 * contactBlock + 1};
     const std::size_t count = std::size_t(4 * contactBlock);
     numberNodes(data, 4 * contactBlock);
