@@ -9,13 +9,13 @@ mesher asks the C library for sines; where those differ, so does `mesh`, and the
 import csv
 import hashlib
 import re
-import shlex
 
 from driver.bitContact import CONTACT
 from driver.bitScenes import SCENES as OTHERS
 from driver.bitTutorials import TUTORIALS
 from driver.caseRun import DEVICE, PROJECT, CaseRun, Failed
 from driver.equalBits import missing
+from driver.record import readTexts
 
 SCENES = {**OTHERS, **CONTACT, **TUTORIALS}
 TABLE = PROJECT / "tests/cases/bits.csv"
@@ -23,18 +23,18 @@ PRECISIONS = ("double", "mixed", "single")
 LONGER = 4  # times the steps of the short form
 
 
-def ways(backend, threads, widths, assembly="patch"):
+def settings(backend, threads, widths, assembly="patch"):
     extra = ("-threads", str(threads)) if threads else ()
     return {f"{backend}{threads or ''} {simd} {assembly}":
             ("-backend", backend, "-simd", simd, *extra, assembly) for simd in widths}
 
 
-FEW = {**ways("serial", 0, ("scalar",)), **ways("openmp", 2, ("avx2",))}
-SHORT = {"double": {**FEW, **ways("serial", 0, ("avx512",))}, "mixed": FEW, "single": FEW}
+FEW = {**settings("serial", 0, ("scalar",)), **settings("openmp", 2, ("avx2",))}
+SHORT = {"double": {**FEW, **settings("serial", 0, ("avx512",))}, "mixed": FEW, "single": FEW}
 LONG = dict.fromkeys(PRECISIONS, {
-    **ways("serial", 0, ("scalar", "avx2", "avx512")),
-    **ways("openmp", 2, ("scalar", "avx2", "avx512")), **ways("openmp", 3, ("avx2",), "gather")})
-CUDA = dict.fromkeys(PRECISIONS, {**ways("serial", 0, ("scalar",)),
+    **settings("serial", 0, ("scalar", "avx2", "avx512")),
+    **settings("openmp", 2, ("scalar", "avx2", "avx512")), **settings("openmp", 3, ("avx2",), "gather")})
+CUDA = dict.fromkeys(PRECISIONS, {**settings("serial", 0, ("scalar",)),
                                   "cuda": ("-backend", "cuda", "patch")})
 
 
@@ -58,8 +58,10 @@ def histories(case):
     for path in sorted(folder.glob("*/0/*.dat")):
         name = "/".join(path.relative_to(folder).with_suffix("").parts[::2])
         out[name] = digest(numbers(path))
-    rows = [shlex.split(line) for line in numbers(folder / "health/0/health.dat").splitlines()]
-    out["health/health"] = digest(" ".join(word for row in rows for word in row[1:5]))
+    figures = readTexts(folder / "health/0/health")["figures"]
+    out["health/health"] = digest(" ".join(
+        row.get(key, other) for row in figures
+        for key, other in (("value", ""), ("limit", "0"), ("time", "-1"), ("verdict", ""))))
     return out
 
 
@@ -163,7 +165,7 @@ def judgeAll(binaries, marks, names, settings, record=False):
             marks.failures += judgeScene(binaries, name, settings, recorded, record, absent)
         except Failed as failure:
             marks.failures.append(f"{name}: {failure}")
-    count = sum(len(ways) for ways in settings.values())
+    count = sum(len(settings) for settings in settings.values())
     marks.note(f"{len(names or SCENES)} scenes in {count} settings")
     if absent:
         marks.note(f"this machine has no {', '.join(sorted(absent))}")

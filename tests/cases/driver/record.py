@@ -28,7 +28,7 @@ def value(kind, text):
     return text
 
 
-def entries(stream):
+def entries(stream, valueOf=value):
     """Up to the closing bracket or the end: key value; or key ( { ... } ... );"""
     found = {}
     for kind, key in stream:
@@ -38,9 +38,9 @@ def entries(stream):
         if token == ("mark", "("):
             found[key] = []
             while next(stream) == ("mark", "{"):
-                found[key].append(entries(stream))
+                found[key].append(entries(stream, valueOf))
         else:
-            found[key] = value(*token)
+            found[key] = valueOf(*token)
         if next(stream) != ("mark", ";"):
             raise ValueError(f"no ';' after {key}")
     return found
@@ -48,3 +48,8 @@ def entries(stream):
 
 def readRecord(path):
     return entries(tokens(path.read_text()))
+
+
+def readTexts(path):
+    """The same with every value as it is written."""
+    return entries(tokens(path.read_text()), lambda kind, text: text)

@@ -1,6 +1,6 @@
 #include "base/ChildProcess.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
 
