@@ -1,10 +1,10 @@
 #include "application/Application.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
-#include "solver/IdleCores.h"
-#include "solver/KernelReport.h"
-#include "solver/TimeLoop.h"
-#include "solver/WaitPolicy.h"
+#include "run/KernelReport.h"
+#include "run/TimeLoop.h"
+#include "run/WaitPolicy.h"
+#include "solver/backend/IdleCores.h"
 
 #include <limits>
 
@@ -54,10 +54,12 @@ int main(int argc, char** argv)
         run.log.line("running on " + solver->description());
         const std::string busy = fpm::busyCoresNote(model.control);
         if (!busy.empty()) run.log.line(busy);
-        for (const std::string& line : fpm::kernelLines(solver->data(), model)) run.log.line(line);
+        for (const std::string& line : fpm::kernelLines(*solver, model)) run.log.line(line);
         solver->start();
-        if (run.has("dryRun")) return fpm::reportDryRun(*solver, model, run);
+        if (run.has("dryRun"))
+            return fpm::reportDryRun(*solver, model, run.theCase.root(), run.log);
         const auto steps = run.integer("maxSteps", 0, std::numeric_limits<std::int64_t>::max());
-        fpm::runTimeLoop(*solver, model, run, steps.value_or(-1));
+        fpm::runTimeLoop(*solver, model, run.theCase.root(),
+                         {steps.value_or(-1), run.has("strict")}, run.log);
     });
 }

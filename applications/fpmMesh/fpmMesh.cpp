@@ -1,6 +1,6 @@
 #include "application/Application.h"
-#include "application/PreviousRun.h"
 #include "base/Format.h"
+#include "case/PreviousRun.h"
 #include "mesh/MeshFile.h"
 #include "mesher/Mesher.h"
 

@@ -32,9 +32,10 @@ int main(int argc, char** argv)
                     std::string("option -") + option
                         + (catalogue ? " has no meaning with -catalogue" : " needs -catalogue"));
         if (catalogue)
-            fpm::runCatalogue(run, run.value("scenes").value_or(""), run.value("to").value_or(""),
-                              int(threads.value_or(cores)));
+            fpm::runCatalogue(run.value("scenes").value_or(""), run.value("to").value_or(""),
+                              int(threads.value_or(cores)), run.log);
         else
-            fpm::runStability(run, run.value("map").value_or(""), int(threads.value_or(cores)));
+            fpm::runStability(run.theCase, run.dictionary(), run.value("map").value_or(""),
+                              int(threads.value_or(cores)), run.log);
     });
 }

@@ -1,8 +1,14 @@
-# fpmLibrary(name USES lib... LINKS target...): a static library of every .cpp in this folder, or an
-# interface library where there is none.
+# fpmLibrary(name [INTERNAL] USES lib... LINKS target... FOLDERS folder...): a static library of every .cpp in
+# this folder and those named, or an interface library where there is none. It is installed with its headers
+# and is fpm::<name> to others; INTERNAL: it serves the programs of this project alone.
+
 function(fpmLibrary name)
-    cmake_parse_arguments(arg "" "" "USES;LINKS" ${ARGN})
+    cmake_parse_arguments(arg "INTERNAL" "" "USES;LINKS;FOLDERS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    foreach(folder ${arg_FOLDERS})
+        file(GLOB inFolder CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        list(APPEND sources ${inFolder})
+    endforeach()
     list(TRANSFORM arg_USES PREPEND fpm_)
     if(sources)
         add_library(fpm_${name} STATIC ${sources})
@@ -10,6 +16,12 @@ function(fpmLibrary name)
     else()
         add_library(fpm_${name} INTERFACE)
         target_link_libraries(fpm_${name} INTERFACE fpmFlags ${arg_USES} ${arg_LINKS})
+    endif()
+    if(NOT arg_INTERNAL)
+        set_property(TARGET fpm_${name} PROPERTY EXPORT_NAME ${name})
+        install(TARGETS fpm_${name} EXPORT fpmTargets ARCHIVE DESTINATION lib COMPONENT libraries)
+        install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} DESTINATION include/fpm COMPONENT libraries
+            FILES_MATCHING PATTERN "*.h")
     endif()
 endfunction()
 

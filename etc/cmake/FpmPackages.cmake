@@ -1,10 +1,10 @@
 find_package(OpenMP REQUIRED COMPONENTS CXX)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 set(HDF5_PREFER_PARALLEL OFF)
 find_package(HDF5 REQUIRED COMPONENTS C)
 if(POLICY CMP0167)
     cmake_policy(SET CMP0167 NEW)
 endif()
+find_package(ZLIB REQUIRED)
 find_package(Boost REQUIRED COMPONENTS program_options)
 
 # Debian's gmsh 4.8 ships no CMake package.

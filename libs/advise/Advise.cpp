@@ -26,9 +26,9 @@ std::vector<std::string> splitAtCommas(const std::string& text)
     return words;
 }
 
-std::vector<std::string> chosenKinds(const Run& run)
+std::vector<std::string> chosenKinds(const AdviseOptions& options)
 {
-    std::vector<std::string> chosen = splitAtCommas(run.value("apply").value_or(""));
+    std::vector<std::string> chosen = splitAtCommas(options.apply.value_or(""));
     const auto& kinds = adviceKinds();
     for (const std::string& word : chosen)
         if (std::find(kinds.begin(), kinds.end(), word) == kinds.end()) {
@@ -37,7 +37,7 @@ std::vector<std::string> chosenKinds(const Run& run)
             throw Error(ExitCode::commandLine, format("-apply has no kind '{}'", word),
                         "valid: " + valid);
         }
-    if (run.has("apply") != run.has("to"))
+    if (options.apply.has_value() != options.to.has_value())
         throw Error(ExitCode::commandLine, "-apply and -to belong together",
                     "such as: -apply symmetry,elastic -to ../reduced");
     return chosen;
@@ -68,40 +68,33 @@ std::vector<Advice> chosenAdvice(const std::vector<Advice>& advice,
 }
 
 /// Of a pilot run, else those the case has.
-std::optional<Results> findResults(Run& run, const Model& model)
+std::optional<Results>
+findResults(const Case& theCase, const Model& model, const AdviseOptions& options, Log& log)
 {
-    if (const auto text = run.value("pilot")) {
+    if (const auto& text = options.pilot) {
         const auto share = readNumber(*text);
         if (!share || !(*share > 0) || *share > 1)
             throw Error(ExitCode::commandLine, format("-pilot {} is no share of endTime", *text),
                         "such as: -pilot 0.3; more than 0, at most 1");
-        return pilotRun(run.theCase, model, *share, run.log);
+        return pilotRun(theCase, model, *share, log);
     }
-    auto results = readResults(run.theCase.root(), model, run.log);
+    auto results = readResults(theCase.root(), model, log);
     if (!results)
-        run.log.line("no results of this mesh: advice on rigid and elastic parts, friction and "
-                     "damping needs -pilot or a finished run");
+        log.line("no results of this mesh: advice on rigid and elastic parts, friction and "
+                 "damping needs -pilot or a finished run");
     return results;
 }
 
 } // namespace
 
-std::vector<Option> adviseOptions()
+void advise(const Case& theCase, const AdviseOptions& options, Log& log)
 {
-    return {{"pilot", "<share>", "Run a copy up to this share of endTime for what needs results"},
-            {"measure", "", "Run the case without and with each piece of advice: time and errors"},
-            {"apply", "<kinds>", "Write a new case: symmetry, rigid, elastic, ...; commas between"},
-            {"to", "<dir>", "The folder of the new case; must not exist"}};
-}
-
-void advise(Run& run)
-{
-    const std::vector<std::string> kinds = chosenKinds(run);
-    const Model model = readModel(run.theCase, run.log);
+    const std::vector<std::string> kinds = chosenKinds(options);
+    const Model model = readModel(theCase, log);
     std::vector<Advice> advice;
-    if (auto symmetry = symmetryAdvice(model, run.log)) advice.push_back(std::move(*symmetry));
-    const std::optional<Results> results = findResults(run, model);
-    for (Advice& one : results ? pilotAdvice(model, run.theCase, *results) : pairAdvice(model))
+    if (auto symmetry = symmetryAdvice(model, log)) advice.push_back(std::move(*symmetry));
+    const std::optional<Results> results = findResults(theCase, model, options, log);
+    for (Advice& one : results ? pilotAdvice(model, theCase, *results) : pairAdvice(model))
         advice.push_back(std::move(one));
     const auto add = [&](std::optional<Advice> one) {
         if (one) advice.push_back(std::move(*one));
@@ -110,17 +103,17 @@ void advise(Run& run)
     if (results) add(contactStepAdvice(model, *results));
     add(elementsAdvice(model));
     add(threadsAdvice(model, int(std::max(1u, std::thread::hardware_concurrency()))));
-    for (Advice& one : outputAdvice(model, run.theCase)) advice.push_back(std::move(one));
-    run.log.line();
-    printAdvice(advice, run.log);
-    if (run.has("measure")) {
-        run.log.line();
-        measureAdvice(run.theCase, model, advice, run.log);
+    for (Advice& one : outputAdvice(model, theCase)) advice.push_back(std::move(one));
+    log.line();
+    printAdvice(advice, log);
+    if (options.measure) {
+        log.line();
+        measureAdvice(theCase, model, advice, log);
     }
     if (kinds.empty()) return;
     const std::vector<Advice> chosen = chosenAdvice(advice, kinds);
     const bool cut = std::find(kinds.begin(), kinds.end(), "symmetry") != kinds.end();
-    writeReducedCase(run.theCase, chosen, cut, *run.value("to"), run.log);
+    writeReducedCase(theCase, chosen, cut, *options.to, log);
 }
 
 } // namespace fpm

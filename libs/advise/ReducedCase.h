@@ -2,7 +2,7 @@
 
 #include "advise/Advice.h"
 #include "advise/Mirror.h"
-#include "application/Case.h"
+#include "case/Case.h"
 #include "model/Model.h"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "advise/Results.h"
 
 #include "advise/RigidFit.h"
-#include "application/RunResults.h"
 #include "base/Format.h"
-#include "dictionary/Number.h"
+#include "case/PerformanceRecord.h"
+#include "case/RunResults.h"
 #include "io/VtkHdf.h"
 #include "mesh/Quality.h"
 #include "mesh/Vector.h"
@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace fpm {
 
@@ -120,48 +118,28 @@ private:
     Results results_;
 };
 
-} // namespace
-
-namespace {
-
-/// Value of a key of performance.json, up to one of `ends`; empty where it is absent.
-std::string valueOf(const std::string& text, const std::string& key, const char* ends)
+StepFigures stepsOf(const PerformanceRecord& performance)
 {
-    const std::string quoted = format("\"{}\": ", key);
-    const auto at = text.find(quoted);
-    if (at == text.npos) return {};
-    const auto begin = at + quoted.size();
-    return text.substr(begin, text.find_first_of(ends, begin) - begin);
+    return {double(performance.steps), performance.time, performance.elementStep,
+            performance.contactLimitedBy};
 }
 
-std::optional<double> numberOf(const std::string& text, const std::string& key)
+std::optional<double> frictionWorkOf(const PerformanceRecord& performance, const std::string& pair)
 {
-    return readNumber(valueOf(text, key, ",\n"));
+    for (const auto& [name, work] : performance.frictionWork)
+        if (name == pair) return work;
+    return {};
 }
 
-std::optional<StepFigures> stepsOf(const std::string& text)
+/// Nothing where the run has none, or it is of another run.
+std::optional<PerformanceRecord>
+performanceOf(const std::filesystem::path& caseRoot, const std::string& runId, Log& log)
 {
-    const auto count = numberOf(text, "steps"), time = numberOf(text, "time"),
-               elementStep = numberOf(text, "elementStep");
-    if (!count || !time || !elementStep) return {};
-    const std::string limit = valueOf(text, "contactLimitedBy", "\n");
-    return StepFigures{*count, *time, *elementStep,
-                       limit.size() > 3 ? limit.substr(1, limit.size() - 3) : ""};
-}
-
-/// The text of performance.json; empty where it is of another run.
-std::string performanceOf(const std::filesystem::path& caseRoot, const std::string& runId, Log& log)
-{
-    const auto file = caseRoot / "postProcessing/performance/0/performance.json";
-    std::ifstream stream(file);
-    std::ostringstream content;
-    if (stream) content << stream.rdbuf();
-    const std::string text = content.str(), key = "\"runId\": \"";
-    const auto at = text.find(key);
-    if (at == text.npos || text.compare(at + key.size(), runId.size() + 1, runId + "\"") == 0)
-        return text;
-    log.warning(format("left out: {} is of another run", file.string()));
-    return "";
+    auto performance = readPerformance(caseRoot);
+    if (!performance || performance->runId.empty() || performance->runId == runId)
+        return performance;
+    log.warning(format("left out: {} is of another run", (caseRoot / performanceFile).string()));
+    return {};
 }
 
 } // namespace
@@ -176,10 +154,11 @@ readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log)
         reader.add(readFrame(caseRoot / folder / "fields.vtkhdf"), time);
     Results results = reader.take();
     if (results.frames < 2) return {};
-    const std::string performance = performanceOf(caseRoot, found.runId(), log);
+    const auto performance = performanceOf(caseRoot, found.runId(), log);
     for (const ContactPair& pair : model.contactPairs)
-        results.frictionWork.push_back(numberOf(performance, "frictionWork " + pair.name));
-    results.steps = stepsOf(performance);
+        results.frictionWork.push_back(performance ? frictionWorkOf(*performance, pair.name)
+                                                   : std::nullopt);
+    if (performance && performance->steps > 0) results.steps = stepsOf(*performance);
     for (const History& history : model.control.histories) {
         const auto file = caseRoot / "postProcessing" / history.name / "0/energies.dat";
         if (history.kind != History::Kind::energies || !std::filesystem::exists(file)) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "advise/Advice.h"
-#include "application/Case.h"
+#include "case/Case.h"
 #include "model/Model.h"
 
 #include <optional>

@@ -1,12 +1,12 @@
 #include "advise/Trial.h"
 
 #include "advise/ReducedCase.h"
+#include "base/ChildProcess.h"
 #include "base/Format.h"
 #include "mesh/MeshFile.h"
 #include "model/readModel.h"
 #include "study/Curve.h"
 #include "study/Pipeline.h"
-#include "study/Process.h"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 
 #include "advise/Advice.h"
 #include "advise/Results.h"
-#include "application/Case.h"
+#include "case/Case.h"
 
 namespace fpm {
 

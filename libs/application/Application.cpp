@@ -1,15 +1,21 @@
 #include "application/Application.h"
 
-#include "application/CaseLock.h"
 #include "application/CommandLine.h"
-#include "application/Confinement.h"
-#include "application/Machine.h"
-#include "application/PreviousRun.h"
 #include "base/Format.h"
+#include "base/Machine.h"
+#include "base/Version.h"
+#include "case/CaseLock.h"
+#include "case/Confinement.h"
+#include "case/PreviousRun.h"
 #include "io/AtomicFile.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -19,6 +25,15 @@ namespace fpm {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Lets a reader of our output leave without killing us, and keeps files we open from taking the
+/// number of a standard stream that was closed before we started.
+void protectStandardStreams()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) open("/dev/null", O_RDWR);
+}
 
 std::string valueOr(const OptionValues& options, std::string_view name, const std::string& preset)
 {
@@ -89,7 +104,7 @@ bool answerQuestion(const ApplicationInfo& info, const OptionValues& options, Lo
     if (isGiven(options, "help"))
         log.line(helpText(info));
     else if (isGiven(options, "version"))
-        log.line(format("{} {}", info.name, FPM_VERSION));
+        log.line(format("{} {}", info.name, versionText()));
     else if (isGiven(options, "listKeys"))
         listKeys(info, valueOr(options, "dict", info.dictionary), log);
     else if (isGiven(options, "writeDefaults"))
@@ -119,7 +134,7 @@ void logBanner(Run& run, int argc, char** argv)
     for (int number = 0; number < argc; ++number)
         command.append(number == 0 ? "" : " ").append(argv[number]);
     auto& log = run.log;
-    log.line(format("Build  : {} (compiler {})", FPM_VERSION, __VERSION__));
+    log.line(format("Build  : {}, compiler {}", versionText(), __VERSION__));
     log.line(format("Exec   : {}", command));
     log.line(format("Date   : {}", utcDate()));
     log.line(format("Host   : {}", hostName()));

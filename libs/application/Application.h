@@ -1,6 +1,6 @@
 #pragma once
 
-#include "application/Case.h"
+#include "case/Case.h"
 
 #include <functional>
 #include <optional>

@@ -110,7 +110,7 @@ std::vector<Option> allOptions(const ApplicationInfo& info)
     }
     options.push_back({"noLog", "", format("Write no file log.{}", info.name)});
     options.insert(options.end(), info.options.begin(), info.options.end());
-    options.push_back({"version", "", "Print the version"});
+    options.push_back({"version", "", "Print version and git revision"});
     options.push_back({"help", "", "Print this text"});
     return options;
 }

@@ -1,6 +1,6 @@
 #include "application/Application.h"
-#include "application/Confinement.h"
 #include "base/Format.h"
+#include "case/Confinement.h"
 #include "dictionary/Number.h"
 
 #include <algorithm>

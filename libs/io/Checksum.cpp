@@ -1,5 +1,7 @@
 #include "io/Checksum.h"
 
+#include "base/Hash.h"
+
 #include <cstring>
 
 namespace fpm {
@@ -51,12 +53,7 @@ std::uint64_t Checksum::value() const
 
 std::string Checksum::text() const
 {
-    constexpr std::string_view digits = "0123456789abcdef";
-    const std::uint64_t number = value();
-    std::string text(16, '0');
-    for (std::size_t digit = 0; digit < 16; ++digit)
-        text[digit] = digits[(number >> (60 - 4 * digit)) & 15];
-    return text;
+    return hexText(value());
 }
 
 } // namespace fpm

@@ -57,11 +57,11 @@ void addSlots(const Mesh& mesh,
     }
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const auto boundary = std::ranges::stable_partition(
-        nodes, [&](Index node) { return counts[std::size_t(node)] == 1; });
+    const auto boundary = std::stable_partition(
+        nodes.begin(), nodes.end(), [&](Index node) { return counts[std::size_t(node)] == 1; });
     patch.firstSlot = Index(result.slotNode.size());
     patch.nodeCount = Index(nodes.size());
-    patch.interiorCount = Index(boundary.begin() - nodes.begin());
+    patch.interiorCount = Index(boundary - nodes.begin());
     for (Index slot = 0; slot < patch.nodeCount; ++slot)
         slotOfNode[std::size_t(nodes[std::size_t(slot)])] = slot;
     result.slotNode.insert(result.slotNode.end(), nodes.begin(), nodes.end());

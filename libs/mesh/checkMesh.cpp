@@ -114,7 +114,9 @@ std::size_t surplusNodes(const Mesh& mesh, std::span<Index> nodes, double gap)
         open.pop_back();
         if (unsplit == 3) surplus += members.size() - 1;
         if (unsplit == 3 || members.size() < 2) continue;
-        const auto place = [&](Index node) { return mesh.points[std::size_t(node)][axis]; };
+        const auto place = [&, axis = axis](Index node) {
+            return mesh.points[std::size_t(node)][axis];
+        };
         std::ranges::sort(members, {}, place);
         for (std::size_t begin = 0, end = 1; end <= members.size(); ++end) {
             if (end < members.size() && place(members[end]) - place(members[end - 1]) <= gap)

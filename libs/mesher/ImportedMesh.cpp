@@ -1,9 +1,9 @@
 #include "mesher/ImportedMesh.h"
 
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
 #include "mesher/Bytes.h"
-#include "mesher/ChildProcess.h"
 #include "mesher/MshText.h"
 
 #include <gmsh.h>
@@ -227,10 +227,12 @@ ImportedMesh importMesh(const std::filesystem::path& file, const std::string& na
     if (!isGeo) checkMshText(name, content);
 
     // Generous for an honest file: gmsh takes about 700 bytes and 3 microseconds a hexahedron.
-    const ChildLimits limits = isGeo ? ChildLimits{}
-                                     : ChildLimits{(std::uint64_t(2) << 30) + 64 * content.size(),
-                                                   60 + content.size() / 1'000'000};
-    const auto answer = inChild(name, limits, [&] {
+    ChildTask task{name, ExitCode::mesh, "export the file again: gmsh -format msh41"};
+    if (!isGeo) {
+        task.memoryBytes = (std::uint64_t(2) << 30) + 64 * content.size();
+        task.cpuSeconds = 60 + content.size() / 1'000'000;
+    }
+    const auto answer = inChild(task, [&] {
         const MemoryFile copy(isGeo ? "" : content);
         return readInGmsh(name, isGeo ? file.string() : copy.path(), isGeo);
     });

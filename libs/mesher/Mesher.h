@@ -1,7 +1,7 @@
 #pragma once
 
-#include "application/Case.h"
 #include "base/Log.h"
+#include "case/Case.h"
 #include "dictionary/Dictionary.h"
 #include "mesh/Mesh.h"
 

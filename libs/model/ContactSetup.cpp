@@ -1,6 +1,7 @@
 #include "model/ContactSetup.h"
 
 #include "base/Format.h"
+#include "base/Hash.h"
 #include "mesh/MeshFile.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
@@ -15,7 +16,6 @@
 #include "model/SurfaceReport.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <set>
 
@@ -23,23 +23,9 @@ namespace fpm {
 
 namespace {
 
-/// FNV-1a, 64 bit: distinguishes the texts of two surfaces, no protection against intent.
-std::string fingerprint(std::string_view text)
-{
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char letter : text) {
-        hash ^= static_cast<unsigned char>(letter);
-        hash *= 0x100000001b3U;
-    }
-    char digits[16];
-    const auto end = std::to_chars(digits, digits + sizeof digits, hash, 16).ptr;
-    const std::string number(digits, end);
-    return std::string(16 - number.size(), '0') + number;
-}
-
 std::string keyOf(const ContactEntries& entries, const Mesh& mesh)
 {
-    return fingerprint(surfaceText(entries) + meshChecksum(mesh));
+    return hexText(hashOf(surfaceText(entries) + meshChecksum(mesh)));
 }
 
 /// A node on its own target face would always find itself, with gap 0; a surface against itself

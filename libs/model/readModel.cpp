@@ -1,7 +1,7 @@
 #include "model/readModel.h"
 
-#include "application/UnreadFiles.h"
 #include "base/Format.h"
+#include "case/UnreadFiles.h"
 #include "mesh/MeshFile.h"
 #include "model/BoundaryReader.h"
 #include "model/CaseReader.h"

@@ -6,6 +6,7 @@
 
 #include "base/Error.h"
 #include "base/Types.h"
+#include "parallel/LaunchSizes.h"
 #include "parallel/Math.h"
 
 #include <cstddef>
@@ -62,7 +63,7 @@ private:
 };
 
 template <class Kernel>
-__global__ void __launch_bounds__(256) launchEach(Index count, Kernel kernel)
+__global__ void __launch_bounds__(threadsPerBlock) launchEach(Index count, Kernel kernel)
 {
     const Index i = Index(blockIdx.x * blockDim.x + threadIdx.x);
     if (i < count) kernel(i);
@@ -80,7 +81,8 @@ constexpr int blocksPerProcessor()
 }
 
 template <class Kernel>
-__global__ void __launch_bounds__(256, blocksPerProcessor<Kernel>()) launchBlocks(Kernel kernel)
+__global__ void __launch_bounds__(threadsPerBlock, blocksPerProcessor<Kernel>())
+    launchBlocks(Kernel kernel)
 {
     extern __shared__ __align__(128) std::byte blockScratch[];
     kernel(CudaTeam(blockScratch), Index(blockIdx.x));
@@ -115,7 +117,7 @@ public:
     void parallelFor(Index count, const Kernel& kernel) const
     {
         if (count <= 0) return;
-        launch(launchEach<Kernel>, unsigned((std::size_t(count) + 255) / 256), 0, count, kernel);
+        launch(launchEach<Kernel>, unsigned(blocksOf(count, threadsPerBlock)), 0, count, kernel);
     }
     template <class Kernel>
     void parallelBlocks(Index count, std::size_t scratchBytes, const Kernel& kernel) const
@@ -137,13 +139,13 @@ public:
     static void useThreads(int) {}
     static Index firstBlock(int, Index) { return 0; }
 
-    /// begin(), then step() `count` times. Full runs of graphSteps are recorded once as a graph and
-    /// replayed, so what they launch may not change until forgetSteps. One replay in samplePeriod
-    /// is launched plainly instead, to be timed.
+    /// begin(), then step() `count` times. Full runs of stepsPerGraph are recorded once as a graph
+    /// and replayed, so what they launch may not change until forgetSteps. One replay in
+    /// samplePeriod is launched plainly instead, to be timed.
     template <class Begin, class Step>
     void repeat(std::int64_t count, const Begin& begin, const Step& step)
     {
-        const bool full = count == graphSteps;
+        const bool full = count == stepsPerGraph;
         if (full && ++replays_ % samplePeriod != 1) {
             if (!graph_) record(begin, step);
             checkCuda(cudaGraphLaunch(graph_.get(), stream_.get()), "graph launch");
@@ -197,15 +199,15 @@ public:
     }
 
 private:
-    static constexpr std::int64_t graphSteps = 10, samplePeriod = 32;
+    static constexpr std::int64_t samplePeriod = 32; ///< replays
 
     struct Sample {
         double* seconds;
         CudaOwned<cudaEvent_t> begin, end;
     };
 
-    /// kernel<<<blocks, 256, scratchBytes>>>(arguments...) as a call of the runtime, so that no
-    /// syntax of nvcc's own is needed: any compiler and any runtime of these names will do.
+    /// kernel<<<blocks, threadsPerBlock, scratchBytes>>>(arguments...) as a call of the runtime, so
+    /// that no syntax of nvcc's own is needed: any compiler and any runtime of these names will do.
     template <class... Expected, class... Arguments>
     void launch(void (*kernel)(Expected...),
                 unsigned blocks,
@@ -214,7 +216,7 @@ private:
     {
         cudaLaunchConfig_t shape{};
         shape.gridDim = dim3(blocks);
-        shape.blockDim = dim3(256);
+        shape.blockDim = dim3(threadsPerBlock);
         shape.dynamicSmemBytes = scratchBytes;
         shape.stream = stream_.get();
         checkCuda(cudaLaunchKernelEx(&shape, kernel, arguments...), "kernel launch");
@@ -232,7 +234,7 @@ private:
     {
         checkCuda(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "graph");
         begin();
-        for (std::int64_t i = 0; i < graphSteps; ++i) step();
+        for (std::int64_t i = 0; i < stepsPerGraph; ++i) step();
         cudaGraph_t graph = nullptr;
         checkCuda(cudaStreamEndCapture(stream_.get(), &graph), "graph");
         const CudaOwned<cudaGraph_t> owned(graph);
@@ -253,7 +255,7 @@ private:
     }
 
     CudaOwned<cudaStream_t> stream_;
-    CudaOwned<cudaGraphExec_t> graph_; ///< graphSteps steps
+    CudaOwned<cudaGraphExec_t> graph_; ///< stepsPerGraph steps
     std::vector<Sample> samples_;
     bool sampling_ = false;
     std::int64_t replays_ = 0, stepsDone_ = 0, stepsTimed_ = 0;

@@ -1,8 +1,9 @@
 #include "probe/Png.h"
 
-#include "probe/Deflate.h"
+#include "base/Error.h"
 
-#include <array>
+#include <zlib.h>
+
 #include <cstdlib>
 #include <string_view>
 
@@ -17,29 +18,25 @@ void putNumber(Bytes& bytes, std::uint32_t number)
     for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(std::uint8_t(number >> shift));
 }
 
-constexpr std::array<std::uint32_t, 256> makeCrcTable()
-{
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t byte = 0; byte < 256; ++byte) {
-        std::uint32_t value = byte;
-        for (int bit = 0; bit < 8; ++bit)
-            value = value & 1 ? 0xEDB88320u ^ (value >> 1) : value >> 1;
-        table[byte] = value;
-    }
-    return table;
-}
-constexpr auto crcTable = makeCrcTable();
-
 void putChunk(Bytes& file, std::string_view type, std::span<const std::uint8_t> content)
 {
     putNumber(file, std::uint32_t(content.size()));
     const std::size_t begin = file.size();
     file.insert(file.end(), type.begin(), type.end());
     file.insert(file.end(), content.begin(), content.end());
-    std::uint32_t crc = 0xFFFFFFFFu;
-    for (std::size_t i = begin; i < file.size(); ++i)
-        crc = crcTable[(crc ^ file[i]) & 255] ^ (crc >> 8);
-    putNumber(file, ~crc);
+    putNumber(file, std::uint32_t(crc32_z(0, file.data() + begin, file.size() - begin)));
+}
+
+/// A zlib stream (RFC 1950).
+Bytes compressed(std::span<const std::uint8_t> bytes)
+{
+    uLongf size = compressBound(uLong(bytes.size()));
+    Bytes stream(size);
+    const int code =
+        compress2(stream.data(), &size, bytes.data(), uLong(bytes.size()), Z_DEFAULT_COMPRESSION);
+    if (code != Z_OK) throw Error(ExitCode::memory, "no memory to compress a picture");
+    stream.resize(size);
+    return stream;
 }
 
 int paeth(int left, int above, int corner)
@@ -107,7 +104,7 @@ std::vector<std::uint8_t> encodePng(const Image& image)
         const std::uint8_t* start = bytes + row * rowBytes;
         putRow(filtered, {start, rowBytes}, {row == 0 ? blank.data() : start - rowBytes, rowBytes});
     }
-    putChunk(file, "IDAT", zlibCompress(filtered));
+    putChunk(file, "IDAT", compressed(filtered));
     putChunk(file, "IEND", {});
     return file;
 }

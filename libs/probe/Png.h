@@ -16,7 +16,7 @@ struct Image {
     std::vector<Colour> pixels;
 };
 
-/// A PNG file (ISO/IEC 15948): 8-bit RGB, best of the five row filters, own deflate.
+/// A PNG file (ISO/IEC 15948): 8-bit RGB, best of the five row filters.
 std::vector<std::uint8_t> encodePng(const Image& image);
 /// Adds a comment (chunk tEXt, Latin-1) behind the header of a PNG file.
 void addComment(std::vector<std::uint8_t>& png, std::string_view text);

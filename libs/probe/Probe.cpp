@@ -1,8 +1,8 @@
 #include "probe/Probe.h"
 
-#include "application/RunResults.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/RunResults.h"
 #include "io/AtomicFile.h"
 #include "io/RunMark.h"
 #include "io/VtkHdf.h"

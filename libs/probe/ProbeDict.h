@@ -1,6 +1,6 @@
 #pragma once
 
-#include "application/Case.h"
+#include "case/Case.h"
 #include "probe/Picture.h"
 #include "probe/SvgPlot.h"
 #include "probe/TableProbe.h"

@@ -23,7 +23,7 @@ std::vector<Point> respond(Model model, const std::vector<Point>& start)
     const auto solver = makeSolver(model);
     solver->start();
     solver->advance(model.control.endTime, 2);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     const double half = 0.5 * solver->clock().step;
     std::vector<Point> out(values.count);
     for (std::size_t i = 0; i < values.count; ++i) {

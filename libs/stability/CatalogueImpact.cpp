@@ -38,7 +38,7 @@ bool isCaught(double speed, double start, ContactVariant variant)
     const auto solver = startedSolver(asVariant(model, variant));
     while (solver->clock().time * fall < start + 1.5 && !solver->clock().failed) {
         solver->advance(1, 1);
-        if (solver->pairForce(0).active == 4) return true;
+        if (solver->contact().force(0).active == 4) return true;
     }
     return false;
 }
@@ -77,7 +77,7 @@ Measure thinLayers(ContactVariant variant)
     while (solver->clock().time < 4e-6 && !solver->clock().failed) {
         solver->advance(4e-6, 50);
         for (std::size_t i = 1; i < order.size(); ++i) {
-            const PairForce now = solver->pairForce(i - 1);
+            const PairForce now = solver->contact().force(i - 1);
             if (now.released > 0) return {2, {}};
             const double force = now.force[2]; // depth weighted by force: 2 E / F
             if (force > 0) deepest = std::max(deepest, 2 * now.spring / force / thickness);
@@ -115,7 +115,7 @@ Measure cornerOfWalls(ContactVariant variant)
     const double before = momentum(*solver, cube)[0];
     solver->advance(3e-6, 100000);
     const Point after = momentum(*solver, cube);
-    if (!(std::abs(solver->energies().balance) < 0.01)) return {0, {}};
+    if (!(std::abs(solver->ledger().energies().balance) < 0.01)) return {0, {}};
     return {-std::max({after[0], after[1], after[2]}) / before, {}};
 }
 
@@ -176,7 +176,7 @@ Measure momentumChange(const Model& model, const std::function<Point(Solver&)>& 
         const Point after = momentumOf(*solver);
         worst = std::max(
             worst, lengthOf({after[0] - before[0], after[1] - before[1], after[2] - before[2]}));
-        strongest = std::max(strongest, solver->pairForce(0).force[2]);
+        strongest = std::max(strongest, solver->contact().force(0).force[2]);
     }
     return {strongest > 0 ? worst / lengthOf(before) : 1, {}};
 }
@@ -191,9 +191,9 @@ Measure repeatedRun(ContactVariant variant)
         model.control.threads = threads;
         const auto solver = startedSolver(model);
         solver->advance(1, 60);
-        const bool touches = solver->pairForce(0).force[2] > 0;
+        const bool touches = solver->contact().force(0).force[2] > 0;
         solver->advance(1, 140);
-        sums.push_back(touches ? solver->stateChecksum() : 0);
+        sums.push_back(touches ? stateChecksum(*solver) : 0);
     }
     double differ = 0;
     for (const std::uint64_t sum : sums) differ += sum != sums[0] || sum == 0;

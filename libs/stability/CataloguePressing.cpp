@@ -43,7 +43,7 @@ Measure roundOverlap(ContactVariant variant)
     addContact(model, "touch", onArc("rod"), onArc("die")).initialOverlap =
         variant == ContactVariant::paper ? InitialOverlap::report : InitialOverlap::offset;
     const auto solver = startedSolver(asVariant(model, variant));
-    if (solver->initialOverlap(0).count == 0) return {HUGE_VAL, {}};
+    if (solver->contact().initialOverlap(0).count == 0) return {HUGE_VAL, {}};
     solver->advance(3e-6, 100000);
     double fastest = 0;
     for (const Point& v : halfStepVelocities(*solver)) fastest = std::max(fastest, lengthOf(v));
@@ -71,7 +71,7 @@ Measure coarseContactor(ContactVariant variant)
     model.control.massDamping = 1e6;
     const auto solver = startedSolver(asVariant(model, variant));
     solver->advance(4e-5, 1000000);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     double lowest = HUGE_VAL, highest = -HUGE_VAL;
     for (const Index node : model.contactPairs[0].contactorNodes)
         lowest = std::min(lowest, values.at(0, std::size_t(node))[2]);
@@ -105,7 +105,7 @@ Measure pressedPatch(Index faces, double scale, ContactVariant variant)
     model.control.massDamping = 5e5;
     const auto solver = startedSolver(asVariant(model, variant));
     solver->advance(end, 1000000);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     double mean = 0, worst = 0;
     const std::size_t count = stress.size() / 6;
     for (std::size_t e = 0; e < count; ++e) mean += stress[6 * e + 2] / double(count);
@@ -141,7 +141,7 @@ Measure layerStack(ContactVariant variant)
         model.control.massDamping = 4e5;
         const auto solver = startedSolver(asVariant(model, variant));
         solver->advance(2.5e-4, 1000000);
-        const NodeValues values = solver->nodeValues(top);
+        const NodeValues values = solver->nodes().values(top);
         double shorter = 0;
         for (std::size_t i = 0; i < top.size(); ++i)
             shorter += (0.5 * layers - values.at(0, i)[2]) / double(top.size());
@@ -176,7 +176,7 @@ Measure slowPressing(ContactVariant variant)
     while (solver->clock().time < end) {
         solver->advance(end, 20);
         const double travel = depth * amplitude(solver->clock().time);
-        if (travel > 0.1 * depth) ratios.push_back(solver->pairForce(0).force[2] / travel);
+        if (travel > 0.1 * depth) ratios.push_back(solver->contact().force(0).force[2] / travel);
     }
     double squares = 0;
     for (const double ratio : ratios) squares += std::pow(ratio / ratios.back() - 1, 2);

@@ -1,5 +1,6 @@
 #include "stability/CatalogueReport.h"
 
+#include "base/Error.h"
 #include "base/Format.h"
 #include "io/AtomicFile.h"
 #include "io/Table.h"
@@ -193,20 +194,20 @@ std::string failureDocument(const std::vector<CatalogueRow>& rows)
     return text;
 }
 
-void runCatalogue(Run& run, const std::string& names, const std::string& folder, int threads)
+void runCatalogue(const std::string& names, const std::string& folder, int threads, Log& log)
 {
     std::vector<CatalogueRow> rows;
     for (const Failure* failure : chosenFailures(names)) rows.push_back({failure, {}});
     runRows(rows, threads);
-    run.log.line(padded("", 4) + padded("scene", 19) + padded("limit", 11) + padded("default", 17)
-                 + padded("paper", 17) + padded("remedy", 17) + "expected");
-    for (const CatalogueRow& row : rows) printRow(row, run.log);
+    log.line(padded("", 4) + padded("scene", 19) + padded("limit", 11) + padded("default", 17)
+             + padded("paper", 17) + padded("remedy", 17) + "expected");
+    for (const CatalogueRow& row : rows) printRow(row, log);
     if (!folder.empty()) {
         const std::filesystem::path to(folder);
         writeFileAtomically(to / "failures.md", failureDocument(rows));
         writeFileAtomically(to / "failures.svg", matrixChart(rows));
         writeTable(to / "failures.dat", tableOf(rows));
-        run.log.line(format("{}/failures.md, failures.svg, failures.dat", folder));
+        log.line(format("{}/failures.md, failures.svg, failures.dat", folder));
     }
     const auto wrong =
         std::ranges::count_if(rows, [](const CatalogueRow& row) { return !row.isExpected(); });
@@ -214,7 +215,7 @@ void runCatalogue(Run& run, const std::string& names, const std::string& folder,
         throw Error(ExitCode::numericalStop,
                     format("{} of {} scenes do not end as the catalogue says", wrong, rows.size()),
                     "find out why; where the scene is right, correct its entry");
-    run.log.line(format("{} scenes, all as expected", rows.size()));
+    log.line(format("{} scenes, all as expected", rows.size()));
 }
 
 } // namespace fpm

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "application/Application.h"
+#include "base/Log.h"
 #include "stability/Catalogue.h"
 
 namespace fpm {
@@ -22,6 +22,6 @@ std::string failureDocument(const std::vector<CatalogueRow>& rows);
 /// fpmStability -catalogue: runs the scenes on `threads` threads and prints a line each; with a
 /// folder writes failures.md, failures.svg and failures.dat into it. Throws Error(numericalStop)
 /// where an outcome is not the expected one.
-void runCatalogue(Run& run, const std::string& names, const std::string& folder, int threads);
+void runCatalogue(const std::string& names, const std::string& folder, int threads, Log& log);
 
 } // namespace fpm

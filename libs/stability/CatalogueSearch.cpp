@@ -24,7 +24,7 @@ double springOf(const Part& part, double area, double thickness)
 double forceError(const Held& held, ContactVariant variant)
 {
     const auto solver = startedSolver(asVariant(held.model, variant));
-    return std::abs(solver->pairForce(0).force[2] / held.expected - 1);
+    return std::abs(solver->contact().force(0).force[2] / held.expected - 1);
 }
 
 void holdAll(Model& model)
@@ -102,7 +102,7 @@ Measure lostAtSeam(ContactVariant variant)
 {
     const Held held = meshSeam(false);
     const auto solver = startedSolver(asVariant(held.model, variant));
-    const NodeValues values = solver->nodeValues(held.model.contactPairs[0].contactorNodes);
+    const NodeValues values = solver->nodes().values(held.model.contactPairs[0].contactorNodes);
     double lost = 0;
     for (std::size_t i = 0; i < values.count; ++i)
         lost += values.at(3, i)[2] < 0.999 * held.expected / double(values.count);
@@ -135,7 +135,7 @@ Measure cornerInFace(ContactVariant variant)
         if (gap < 0) exact += 0.5 * springOf(model.parts[0], 1, 1) * gap * gap;
     }
     const auto solver = startedSolver(asVariant(model, variant));
-    return {std::abs(solver->pairForce(0).spring / exact - 1), {}};
+    return {std::abs(solver->contact().force(0).spring / exact - 1), {}};
 }
 
 /// F1: a groove of 20 degrees, one long face on its left flank, eight on the right; a node is led
@@ -175,7 +175,7 @@ Measure grooveNode(ContactVariant variant)
     for (double x = -1; x < 1; x = -1 + speed * solver->clock().time) {
         if (height - slope * std::abs(x) < -1e-6) {
             ++inside;
-            lost += solver->pairForce(0).active == 0;
+            lost += solver->contact().force(0).active == 0;
         }
         solver->advance(1, 1);
     }

@@ -49,10 +49,10 @@ Measure worstJerk(const Model& model, double distance)
 {
     const auto solver = startedSolver(model);
     const double speed = model.initialVelocities[0].velocity[0];
-    double last = solver->pairForce(0).force[2], worst = last > 0 ? 0 : 1;
+    double last = solver->contact().force(0).force[2], worst = last > 0 ? 0 : 1;
     while (speed * solver->clock().time < distance) {
         solver->advance(1, 1);
-        const double now = solver->pairForce(0).force[2];
+        const double now = solver->contact().force(0).force[2];
         worst = std::max(worst, std::abs(now / last - 1));
         last = now;
     }
@@ -88,11 +88,11 @@ Measure kinkedTrack(double friction, ContactVariant variant)
     model.contactPairs[0].friction = friction;
     model.control.fixedTimeStep = step;
     const auto solver = startedSolver(asVariant(model, variant));
-    const double start = solver->energies().total;
+    const double start = solver->ledger().energies().total;
     double worst = 0, most = 0;
     while (solver->clock().time < 8e-6) {
         solver->advance(8e-6, 10);
-        const Energies now = solver->energies();
+        const Energies now = solver->ledger().energies();
         worst = std::max(worst, std::abs(now.total - now.external - start));
         most = std::max(most, now.contact);
     }
@@ -107,10 +107,10 @@ Measure tableEdge(ContactVariant variant)
     const double speed = 1e5;
     const auto solver =
         startedSolver(asVariant(slider(flat, 10.6, -0.001, {speed, 0, 0}), variant));
-    const double each = solver->pairForce(0).force[2] / 4;
+    const double each = solver->contact().force(0).force[2] / 4;
     double farthest = 0;
     for (double front = 11.6; front < 13.2; front = 11.6 + speed * solver->clock().time) {
-        const PairForce now = solver->pairForce(0);
+        const PairForce now = solver->contact().force(0);
         const int on = (front < 12 ? 2 : 0) + (front < 13 ? 2 : 0);
         if (now.active < on || std::abs(now.force[2] / each - now.active) > 1e-9) return {1, {}};
         if (now.active > on)
@@ -180,7 +180,7 @@ Measure turnedPair(double width, ContactVariant variant)
     double worst = 0;
     for (int part = 0; part <= 8; ++part) {
         solver->advance(shearTime + turnTime * part / 8, 1000000);
-        const Point now = turned(solver->pairForce(0).force, -2 * M_PI * part / 8);
+        const Point now = turned(solver->contact().force(0).force, -2 * M_PI * part / 8);
         const Point error{now[0] + spring * shearSlip[0], now[1] + spring * shearSlip[1], 0};
         worst = std::max(worst, lengthOf(error) / (spring * lengthOf(shearSlip)));
     }
@@ -216,7 +216,7 @@ Measure restingSlip(double width, ContactVariant variant)
     double worst = 0;
     for (const double time : {2e-4, 1e-3}) {
         solver->advance(time, 1000000);
-        const NodeValues values = solver->nodeValues(base);
+        const NodeValues values = solver->nodes().values(base);
         double slip = 0;
         for (std::size_t i = 0; i < base.size(); ++i)
             slip += (values.at(0, i)[0] - model.mesh.points[std::size_t(base[i])][0]) / 4;
@@ -253,10 +253,10 @@ Measure cyclicShear(ContactVariant variant)
     double last = 0, back = 0, worst = 0;
     while (solver->clock().time < 4e-5) {
         solver->advance(4e-5, 20);
-        const double lost = solver->energies().friction;
+        const double lost = solver->ledger().energies().friction;
         back = std::max(back, last - lost);
         last = lost;
-        worst = std::max(worst, std::abs(solver->energies().balance));
+        worst = std::max(worst, std::abs(solver->ledger().energies().balance));
     }
     return {last > 0 ? std::max(worst, back / last) : 1, {}};
 }

@@ -104,7 +104,7 @@ std::unique_ptr<Solver> startedSolver(const Model& model, bool audit)
 
 std::vector<Point> halfStepVelocities(Solver& solver)
 {
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     const double half = 0.5 * solver.clock().step;
     std::vector<Point> out(values.count);
     for (std::size_t i = 0; i < values.count; ++i) {
@@ -117,7 +117,7 @@ std::vector<Point> halfStepVelocities(Solver& solver)
 Point momentum(Solver& solver, const std::vector<Index>& list)
 {
     const std::vector<Point> v = halfStepVelocities(solver);
-    const std::vector<double>& mass = solver.data().nodeMass;
+    const std::vector<double>& mass = solver.nodes().setUp().mass;
     Point sum{0, 0, 0};
     const auto add = [&](std::size_t i) {
         for (std::size_t c = 0; c < 3; ++c) sum[c] += mass[i] * v[i][c];
@@ -131,13 +131,13 @@ Point momentum(Solver& solver, const std::vector<Index>& list)
 Point angularMomentum(Solver& solver)
 {
     const std::vector<Point> v = halfStepVelocities(solver);
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     Point sum{0, 0, 0};
     for (std::size_t i = 0; i < v.size(); ++i) {
         const Point x = values.at(0, i);
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t a = (c + 1) % 3, b = (c + 2) % 3;
-            sum[c] += solver.data().nodeMass[i] * (x[a] * v[i][b] - x[b] * v[i][a]);
+            sum[c] += solver.nodes().setUp().mass[i] * (x[a] * v[i][b] - x[b] * v[i][a]);
         }
     }
     return sum;

@@ -85,48 +85,52 @@ void reportSurprises(const StabilityMap& map, Log& log)
     }
 }
 
-void drawMap(const MapSpec& spec, Run& run, int threads)
+void drawMap(const MapSpec& spec, const Case& theCase, int threads, Log& log)
 {
     StabilityMap map{spec, {}, {}};
     map.points.resize(spec.x.values.size() * spec.y.values.size());
     map.rows.resize(spec.y.values.size());
     const bool ofCase = spec.scene == "case";
-    const std::string key = mapKey(spec, ofCase ? caseText(run.theCase) : "");
-    const auto folder = run.theCase.path("postProcessing/stability");
+    const std::string key = mapKey(spec, ofCase ? caseText(theCase) : "");
+    const auto folder = theCase.path("postProcessing/stability");
     const auto file = folder / (spec.name + ".dat");
     readMap(file, map, key);
     if (const std::size_t kept = map.done(); kept > 0)
-        run.log.line(
+        log.line(
             format("{}: {} of {} points are there already", spec.name, kept, map.points.size()));
-    Progress progress(map, run.log);
-    const Scene scene = sceneOf(spec, run.theCase, run.log);
+    Progress progress(map, log);
+    const Scene scene = sceneOf(spec, theCase, log);
     completeMap(map, scene, threads, [&] {
         writeMap(file, map, key);
         progress.tell();
     });
     map.own = ownPoint(spec, scene);
-    run.log.finish();
+    log.finish();
     const std::string title =
         format("{}: {} over {}", spec.scene, spec.y.parameter, spec.x.parameter);
     writeFileAtomically(folder / (spec.name + ".svg"), mapChart(map, title));
-    reportSurprises(map, run.log);
-    run.log.line(format("{} ({}): {}", spec.name, title, conclusionOf(map)));
-    if (const std::string own = ownSentence(map); !own.empty()) run.log.line("  " + own);
-    run.log.line(format("  postProcessing/stability/{}.dat, {}.svg", spec.name, spec.name));
+    reportSurprises(map, log);
+    log.line(format("{} ({}): {}", spec.name, title, conclusionOf(map)));
+    if (const std::string own = ownSentence(map); !own.empty()) log.line("  " + own);
+    log.line(format("  postProcessing/stability/{}.dat, {}.svg", spec.name, spec.name));
 }
 
 } // namespace
 
-void runStability(Run& run, const std::string& only, int threads)
+void runStability(const Case& theCase,
+                  const Dictionary& dictionary,
+                  const std::string& only,
+                  int threads,
+                  Log& log)
 {
-    const std::vector<MapSpec> maps = readStabilityDict(run.dictionary());
+    const std::vector<MapSpec> maps = readStabilityDict(dictionary);
     std::vector<std::string> names;
     for (const MapSpec& map : maps) names.push_back(map.name);
     if (!only.empty() && std::find(names.begin(), names.end(), only) == names.end())
         throw Error(ExitCode::commandLine, format("there is no map '{}'", only),
                     nameAdvice(only, names, "maps"));
     for (const MapSpec& map : maps)
-        if (only.empty() || map.name == only) drawMap(map, run, threads);
+        if (only.empty() || map.name == only) drawMap(map, theCase, threads, log);
 }
 
 } // namespace fpm

@@ -1,11 +1,15 @@
 #pragma once
 
-#include "application/Application.h"
+#include "case/Case.h"
 
 namespace fpm {
 
 /// fpmStability: draws the maps of system/stabilityDict into postProcessing/stability/. Points
 /// that an earlier run has finished are kept. `only`: the map to draw; empty: all.
-void runStability(Run& run, const std::string& only, int threads);
+void runStability(const Case& theCase,
+                  const Dictionary& dictionary,
+                  const std::string& only,
+                  int threads,
+                  Log& log);
 
 } // namespace fpm

@@ -15,10 +15,10 @@ double depthOf(Solver& solver, std::size_t pairs)
 {
     double most = 0;
     for (std::size_t pair = 0; pair < pairs; ++pair) {
-        const PairForce now = solver.pairForce(pair);
+        const PairForce now = solver.contact().force(pair);
         const double force = std::hypot(now.force[0], now.force[1], now.force[2]);
         double width = 0;
-        for (const ContactPassSetup& pass : solver.data().passes)
+        for (const ContactPassSetup& pass : solver.contact().setUp().passes)
             if (pass.pair == pair) width = std::max(width, pass.meanFaceSize);
         if (force > 0 && width > 0) most = std::max(most, 2 * now.spring / (force * width));
     }
@@ -27,7 +27,7 @@ double depthOf(Solver& solver, std::size_t pairs)
 
 double meanAlong(Solver& solver, const std::vector<Index>& nodes, int axis)
 {
-    const NodeValues values = solver.nodeValues(nodes);
+    const NodeValues values = solver.nodes().values(nodes);
     double sum = 0;
     for (std::size_t i = 0; i < values.count; ++i) sum += values.at(0, i)[std::size_t(axis)];
     return sum / double(std::max<std::size_t>(1, values.count));
@@ -42,7 +42,7 @@ public:
           trial_(trial),
           limits_(limits)
     {
-        const Energies start = solver.energies();
+        const Energies start = solver.ledger().energies();
         scale_ = start.total;
     }
 
@@ -51,7 +51,7 @@ public:
     {
         const StepClock clock = solver_.clock();
         result_.steps = double(clock.steps);
-        const Energies now = solver_.energies();
+        const Energies now = solver_.ledger().energies();
         const double error = std::abs(now.balance), gained = std::abs(now.total - now.external);
         scale_ = std::max(scale_, std::abs(now.external));
         if (!(error <= result_.energyError)) result_.energyError = error;
@@ -60,7 +60,7 @@ public:
         const std::size_t pairs = trial_.model.contactPairs.size();
         result_.penetration = std::max(result_.penetration, depthOf(solver_, pairs));
         for (std::size_t pair = 0; pair < pairs; ++pair)
-            if (solver_.pairForce(pair).released > 0) lost_ = true;
+            if (solver_.contact().force(pair).released > 0) lost_ = true;
         sampleContact(pairs);
         return true;
     }
@@ -93,7 +93,7 @@ private:
     {
         bool closed = false;
         for (std::size_t pair = 0; pair < pairs; ++pair)
-            closed |= solver_.pairForce(pair).active > 0;
+            closed |= solver_.contact().force(pair).active > 0;
         ++samples_;
         if (samples_ > 1 && closed != closed_) ++changes_;
         closed_ = closed;

@@ -1,8 +1,8 @@
 #include "study/CaseCopy.h"
 
-#include "application/Confinement.h"
-#include "application/PreviousRun.h"
 #include "base/Format.h"
+#include "case/Confinement.h"
+#include "case/PreviousRun.h"
 #include "dictionary/EntryEdit.h"
 #include "dictionary/Number.h"
 #include "io/AtomicFile.h"

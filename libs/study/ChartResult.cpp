@@ -1,7 +1,7 @@
 #include "study/ChartResult.h"
 
-#include "application/RunResults.h"
 #include "base/Format.h"
+#include "case/RunResults.h"
 #include "io/Table.h"
 #include "study/Expression.h"
 

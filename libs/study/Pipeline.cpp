@@ -1,15 +1,16 @@
 #include "study/Pipeline.h"
 
-#include "application/Machine.h"
+#include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/Machine.h"
+#include "base/Version.h"
+#include "case/PerformanceRecord.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <unistd.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <fstream>
@@ -29,17 +30,6 @@ std::string textOf(const fs::path& file)
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
-}
-
-/// The number behind "name": of the performance file; 0 where there is none.
-double performanceNumber(const std::string& text, const std::string& name)
-{
-    const auto at = text.find(format("\"{}\": ", name));
-    double value = 0;
-    if (at == text.npos) return 0;
-    const char* begin = text.data() + at + name.size() + 4;
-    std::from_chars(begin, text.data() + text.size(), value);
-    return value;
 }
 
 /// Ends that say nothing about the run: it was stopped from outside, or the disk is full.
@@ -81,7 +71,7 @@ Pipeline::Pipeline(fs::path binFolder) : bin_(std::move(binFolder))
         if (::access(file.c_str(), X_OK) != 0)
             throw Error(ExitCode::fileIo, format("there is no program {}", file.string()),
                         "keep the programs in one folder");
-        sum.add(textOf(file));
+        sum.add(withoutRevision(textOf(file)));
     }
     key_ = sum.text();
 }
@@ -109,10 +99,10 @@ RunRow Pipeline::run(const fs::path& folder, bool tables, double timeLimit) cons
         if (program == "fpmExplicit") {
             row.wall = rounded(end.wall), row.cpu = rounded(end.cpu);
             row.memory = std::round(1e-6 * end.peakMemory);
-            const auto text = textOf(folder / "postProcessing/performance/0/performance.json");
-            row.elements = performanceNumber(text, "elements");
-            row.steps = performanceNumber(text, "steps");
-            row.nsPerElementStep = performanceNumber(text, "nsPerElementStep");
+            const auto told = readPerformance(folder).value_or(PerformanceRecord());
+            row.elements = double(told.elements);
+            row.steps = double(told.steps);
+            row.nsPerElementStep = told.nsPerElementStep.value_or(0);
         }
         row.state = stateOf(program, end, timeLimit);
         if (!end.succeeded()) break;

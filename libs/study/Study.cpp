@@ -1,9 +1,9 @@
 #include "study/Study.h"
 
-#include "application/CaseLock.h"
+#include "base/ChildProcess.h"
 #include "base/Format.h"
+#include "case/CaseLock.h"
 #include "io/Checksum.h"
-#include "study/Process.h"
 
 #include <algorithm>
 #include <limits>

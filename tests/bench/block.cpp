@@ -8,8 +8,8 @@
 //   form: elastic stiffness physical viscous selective (all but the first elastoplastic)
 
 #include "base/Error.h"
+#include "run/StepBytes.h"
 #include "solver/Solver.h"
-#include "solver/StepBytes.h"
 #include "support/solverModel.h"
 
 #include <algorithm>
@@ -113,9 +113,9 @@ void print(const Running& run, std::size_t elements, int steps)
                 "\"deviceBytes\": %zu, "
                 "\"plasticWork\": %.4g, \"checksum\": \"%016llx\"}\n",
                 (t.element - before.element) / total, (t.node - before.node) / total,
-                double(bytesOfStep(run.solver->data(), run.precision)) / double(elements),
-                run.solver->deviceBytes(), run.solver->energies().plastic,
-                static_cast<unsigned long long>(run.solver->stateChecksum()));
+                double(bytesOfStep(*run.solver, run.precision)) / double(elements),
+                run.solver->fields().bytes(), run.solver->ledger().energies().plastic,
+                static_cast<unsigned long long>(stateChecksum(*run.solver)));
 }
 
 int measure(int argc, char** argv)

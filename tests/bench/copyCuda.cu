@@ -1,6 +1,6 @@
 #include "bench/copy.h"
 #include "parallel/CudaExecutor.h"
-#include "solver/instances.h"
+#include "solver/backend/machines.h"
 
 namespace fpm::bench {
 

@@ -55,35 +55,35 @@ void expectEqual(const Outcome& got, const Outcome& expected)
 
 Outcome outcomeOf(Solver& solver, const Model& model)
 {
-    Outcome out{solver.stateChecksum(), {}};
-    const Energies e = solver.energies();
+    Outcome out{stateChecksum(solver), {}};
+    const Energies e = solver.ledger().energies();
     out.add("energies", {e.time, e.kinetic, e.internal, e.plastic, e.hourglass, e.bulkViscosity,
                          e.contact, e.friction, e.contactDamping, e.damping, e.external});
-    const NodalWorks w = solver.nodalWorks();
+    const NodalWorks w = solver.ledger().nodalWorks();
     out.add("works", {w.internal, w.contact, w.external, w.drives, w.damping});
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-        const PairForce f = solver.pairForce(pair);
+        const PairForce f = solver.contact().force(pair);
         out.add("pair force", {f.force.begin(), f.force.end()});
         out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
                          f.friction, f.damping});
-        const PairTouch t = solver.pairTouch(pair);
+        const PairStatus t = solver.contact().status(pair);
         out.add("touch", {double(t.active), t.maxDepth, t.meanDepth, double(t.deepest), t.thickness,
                           t.normal, t.speed});
         out.add("slip and friction",
                 {t.slip[0], t.slip[1], t.slip[2], t.friction[0], t.friction[1], t.friction[2]});
     }
-    for (std::size_t body = 0; body < solver.data().body.part.size(); ++body) {
-        const BodyMotionValues b = solver.bodyMotion(body);
+    for (std::size_t body = 0; body < solver.bodies().setUp().part.size(); ++body) {
+        const BodyMotionValues b = solver.bodies().motion(body);
         for (const Point& p : {b.displacement, b.velocity, b.spin, b.force, b.moment, b.momentum})
             out.add("body", {p.begin(), p.end()});
     }
-    std::vector<double> gaps = solver.contactGaps();
+    std::vector<double> gaps = solver.contact().gaps();
     for (double& gap : gaps) // no target within reach, which equals itself here
         if (std::isnan(gap)) gap = 1e300;
     out.add("gaps", gaps);
-    out.add("step, contact limit", {solver.clock().step, solver.contactLimit().frequency});
-    out.add("nodes", solver.nodeValues({}).values);
-    const ElementValues elements = solver.elementValues();
+    out.add("step, contact limit", {solver.clock().step, solver.contact().bound().frequency});
+    out.add("nodes", solver.nodes().values({}).values);
+    const ElementValues elements = solver.elements().values();
     out.add("stress", elements.stress);
     out.add("plastic strain", elements.plasticStrain);
     return out;
@@ -99,7 +99,7 @@ Outcome outcomeOf(Model model, const std::string& backend, int calls = 1, bool a
     const int steps = stepsAsked();
     for (int call = 0; call < calls; ++call) {
         solver->advance(1, steps * (call + 1) / calls - steps * call / calls);
-        if (calls > 1) solver->energies();
+        if (calls > 1) solver->ledger().energies();
     }
     EXPECT_FALSE(solver->clock().failed);
     EXPECT_EQ(solver->clock().steps, steps);
@@ -166,15 +166,15 @@ TEST(ParityScenes, TouchSlideYieldAndErode)
         const auto solver = startedSolver(scene.model);
         for (int call = 0; call < fullSteps / 10; ++call) {
             solver->advance(1, 10);
-            touched = std::max(touched, solver->pairForce(0).active);
+            touched = std::max(touched, solver->contact().force(0).active);
         }
         EXPECT_GT(touched, 0);
         if (scene.name == "erosion") {
-            for (const bool gone : solver->elementValues().deleted) deleted += gone;
+            for (const bool gone : solver->elements().values().deleted) deleted += gone;
             EXPECT_GT(deleted, 0);
         }
         if (scene.name.find("plastic") != std::string::npos) {
-            EXPECT_GT(solver->energies().plastic, 0);
+            EXPECT_GT(solver->ledger().energies().plastic, 0);
         }
     }
 }

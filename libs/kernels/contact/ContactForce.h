@@ -19,7 +19,6 @@ struct ContactForce {
     ContactPassView<Numbers> pass;
     CellLists cells;
 
-    static constexpr Index block = NodeBlocks::size;
     /// On a GPU the kernel waits for gathers from memory; only rare branches spill registers.
     static constexpr int blocksPerProcessor = sizeof(Work) == 4 ? 2 : 1;
 
@@ -30,8 +29,8 @@ struct ContactForce {
     {
         using T = typename Team::template Number<Work>;
         if (!pass.clock->running) return;
-        const Index first = number * block, left = pass.contactorCount - first;
-        const Index size = left < block ? left : block;
+        const Index first = number * contactBlock, left = pass.contactorCount - first;
+        const Index size = left < contactBlock ? left : contactBlock;
         const BlockForce total{pass.force + std::size_t(number) * BlockForce::values,
                                pass.contactorForce, Team::oneThread};
         team.forEach(BlockForce::values, [=](Index k) { total.sums[k] = 0; });
@@ -306,16 +305,19 @@ struct ContactLimit {
     double* blockLimit;
     const StepClock* clock;
 
-    static constexpr Index block = 256;
-    static constexpr std::size_t scratch() { return block * sizeof(double) + blockSumScratch(1); }
+    static constexpr std::size_t scratch()
+    {
+        return contactBlock * sizeof(double) + blockSumScratch(1);
+    }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         if (!clock->running) return;
         double* values = reinterpret_cast<double*>(team.scratch());
-        double* partial = values + block;
-        const Index first = number * block, size = count - first < block ? count - first : block;
+        double* partial = values + contactBlock;
+        const Index first = number * contactBlock,
+                    size = count - first < contactBlock ? count - first : contactBlock;
         team.forEach(size, [&](Index i) {
             const std::size_t at = std::size_t(first + i), node = std::size_t(nodes[at]);
             const double inverse = fixed[node] & imposedNode ? 0 : double(inverseMass[node]);

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "parallel/Atomic.h"
+#include "parallel/LaunchSizes.h"
 #include "parallel/Math.h"
 
 namespace fpm {
-
-/// Contact nodes per block of ReferenceDisplacement and of the marks of shared nodes.
-inline constexpr Index displacementBlock = 256;
 
 /// Contact forces are summed as 64-bit integers in fixed point: the sum does not depend on the
 /// order of the contributions, hence is the same for any number of threads and on the GPU, and the
@@ -58,7 +56,7 @@ struct ContactSums {
 private:
     FPM_KERNEL bool isMine(Index number) const
     {
-        return alone || (shared && shared[number / displacementBlock] == 0);
+        return alone || (shared && shared[number / contactBlock] == 0);
     }
 };
 

@@ -34,8 +34,8 @@ struct PassListState {
     double leastBefore, leastSince; ///< as in BlockListState
     std::int64_t due;               ///< number of blocks whose lists are rebuilt now
     std::int64_t searches;          ///< number of rebuilds so far
-    Index whole;                    ///< 1: the host has to rebuild all lists of the pass
-    Index fresh;                    ///< 1: all lists were built at the present positions
+    Index rebuild;                  ///< 1: the host has to rebuild all lists of the pass
+    Index rebuilt;                  ///< 1: all lists were built at the present positions
     Index steps;                    ///< steps for which its lists stay valid
 };
 
@@ -119,10 +119,10 @@ struct BlockListCheck {
             ListCheck::withoutRounding(block.displacementSince, ownPlusTarget(number, 2));
         const double each = ownPlusTarget(number, 1) * p.timePerStep(),
                      displacement = block.displacementBefore + block.displacementSince;
-        if (block.leastBefore + block.leastSince > p.reach && !p.pass->fresh)
+        if (block.leastBefore + block.leastSince > p.reach && !p.pass->rebuilt)
             atomicAdd64(p.late, 1);
         block.steps = p.stepsWithin(p.reach - displacement, each);
-        block.due = block.steps < p.checkInterval && !p.pass->fresh;
+        block.due = block.steps < p.checkInterval && !p.pass->rebuilt;
         if (block.due) block.steps = p.stepsWithin(p.reach, each);
     }
 
@@ -140,7 +140,7 @@ private:
 struct PassListCheck {
     ListCheck check;
 
-    static constexpr Index lanes = 256, groups = 16;
+    static constexpr Index lanes = reductionLanes, groups = reductionGroups;
     static constexpr int sides = 2; ///< own nodes, target nodes
     static constexpr std::size_t scratch()
     {
@@ -180,7 +180,7 @@ struct PassListCheck {
         team.barrier();
         team.forEach(p.blockCount, [=](Index b) {
             if (!p.blocks[b].due) return;
-            if (pass->whole)
+            if (pass->rebuild)
                 p.blocks[b].due = 0; // the host rebuilds it with all others
             else
                 p.list[atomicAdd64(&pass->due, 1)] = b;
@@ -214,15 +214,15 @@ private:
         pass.leastSince =
             ListCheck::withoutRounding(pass.displacementSince, ownPlusTarget(most, 2));
         if (pass.leastBefore + pass.leastSince > ListCheck::rebuildDistance * p.reach
-            && !pass.fresh)
+            && !pass.rebuilt)
             atomicAdd64(p.late, 1);
         const double each = ownPlusTarget(most, 1) * p.timePerStep(),
                      left = (ListCheck::rebuildDistance - 1) * p.reach - pass.displacementBefore
                             - pass.displacementSince;
         // The neighbourhood of blocks has to stay complete only until the next check.
         const Index known = p.stepsWithin(left, each), next = steps > 1 ? steps : 1;
-        pass.whole = known < next && !pass.fresh;
-        if (pass.fresh && known < steps) steps = known;
+        pass.rebuild = known < next && !pass.rebuilt;
+        if (pass.rebuilt && known < steps) steps = known;
         pass.steps = steps;
     }
 };
@@ -235,18 +235,18 @@ struct ListCheckResult {
 
     FPM_KERNEL void operator()(Index) const
     {
-        Index steps = passes[0].steps, searched = 0, whole = 0;
+        Index steps = passes[0].steps, searched = 0, rebuild = 0;
         for (Index k = 0; k < count; ++k) {
             PassListState& pass = passes[k];
             steps = pass.steps < steps ? pass.steps : steps;
-            whole = whole || pass.whole;
-            searched = searched || pass.whole || pass.due > 0;
+            rebuild = rebuild || pass.rebuild;
+            searched = searched || pass.rebuild || pass.due > 0;
             pass.searches += pass.due > 0;
         }
-        for (Index k = 0; k < count && !whole; ++k) passes[k].fresh = 0; // a step follows
+        for (Index k = 0; k < count && !rebuild; ++k) passes[k].rebuilt = 0; // a step follows
         clock->searched = searched;
-        clock->waits = whole;
-        clock->listsValidUntil = clock->steps + (whole ? 0 : steps > 1 ? steps : 1);
+        clock->waits = rebuild;
+        clock->listsValidUntil = clock->steps + (rebuild ? 0 : steps > 1 ? steps : 1);
         clock->running = clock->mayStep();
     }
 };

@@ -18,10 +18,8 @@ enum PassSum {
     passSums = sumForce + 3
 };
 
-/// Sums the values kept per contactor; one block = BlockForce's contactors.
+/// Sums the values kept per contactor; one block = contactBlock of them, as BlockForce.
 struct PassSums {
-    static constexpr Index block = 256;
-
     Index count;
     const double *spring, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
     const double* surfaceForce;     ///< of an analytic surface, three planes; null: of faces
@@ -31,18 +29,19 @@ struct PassSums {
 
     static constexpr std::size_t scratch()
     {
-        return passSums * block * sizeof(double) + blockSumScratch(passSums);
+        return passSums * contactBlock * sizeof(double) + blockSumScratch(passSums);
     }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         double* values = reinterpret_cast<double*>(team.scratch());
-        double* partial = values + passSums * block;
-        const Index first = number * block, size = count - first < block ? count - first : block;
+        double* partial = values + passSums * contactBlock;
+        const Index first = number * contactBlock,
+                    size = count - first < contactBlock ? count - first : contactBlock;
         team.forEach(size, [&](Index i) { fetch(std::size_t(first + i), values + i); });
         team.barrier();
-        blockSums(team, passSums, size, values, block, partial);
+        blockSums(team, passSums, size, values, contactBlock, partial);
         team.barrier();
         double* out = blockSum + std::size_t(number) * passSums;
         team.forEach(passSums, [&](Index k) {
@@ -55,10 +54,10 @@ private:
     FPM_KERNEL void fetch(std::size_t i, double* out) const
     {
         const double* const from[] = {spring, nullptr, dissipated, damped, surfaceWork, injected};
-        for (int k = 0; k < sumForce; ++k) out[k * block] = from[k] ? from[k][i] : 0;
-        out[sumTouching * block] = spring[i] > 0 ? 1 : 0;
+        for (int k = 0; k < sumForce; ++k) out[k * contactBlock] = from[k] ? from[k][i] : 0;
+        out[sumTouching * contactBlock] = spring[i] > 0 ? 1 : 0;
         for (int c = 0; c < 3; ++c)
-            out[(sumForce + c) * block] =
+            out[(sumForce + c) * contactBlock] =
                 surfaceForce ? surfaceForce[std::size_t(c) * std::size_t(count) + i] : 0;
     }
     FPM_KERNEL double forceOf(Index number, Index c) const

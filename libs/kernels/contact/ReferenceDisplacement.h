@@ -33,8 +33,8 @@ struct ReferenceDisplacement {
     FPM_KERNEL void operator()(Index block) const
     {
         double distance = 0, speed = 0, most = 0;
-        const Index first = displacementBlock * block,
-                    last = first + displacementBlock < count ? first + displacementBlock : count;
+        const Index first = contactBlock * block,
+                    last = first + contactBlock < count ? first + contactBlock : count;
         for (Index i = first; i < last; ++i) {
             double d2 = 0, v2 = 0, r2 = 0;
             for (int c = 0; c < 3; ++c) {
@@ -74,7 +74,7 @@ struct StoreReferencePositions {
     FPM_KERNEL void operator()(Index i) const
     {
         if (clock && !clock->searched) return;
-        const Index block = i / displacementBlock, first = displacementBlock * block;
+        const Index block = i / contactBlock, first = contactBlock * block;
         for (int c = 0; c < 3; ++c) {
             const typename Numbers::Position* plane = position + c * nodeStride;
             const double origin = double(plane[nodes[first]]);

@@ -32,19 +32,19 @@ struct ContactorNormal {
 
 /// Nodes of a pass to be searched: those of the blocks due, or all.
 struct NodeBlocks {
-    static constexpr Index size = 256;
-    static constexpr Index blocks(Index nodes) { return (nodes + size - 1) / size; }
+    static constexpr Index blocks(Index nodes) { return blocksOf(nodes, contactBlock); }
     const Index* list;       ///< numbers of blocks
     const std::int64_t* due; ///< number of blocks due; null: all blocks
     const StepClock* clock;  ///< null: unconditional; otherwise no search where no step follows
 
     FPM_KERNEL bool any() const { return (!due || *due > 0) && (!clock || clock->mayStep()); }
-    /// Node for an index below size * blocks(nodes); -1: none.
+    /// Node for an index below contactBlock * blocks(nodes); -1: none.
     FPM_KERNEL Index node(Index i) const
     {
         if (!any()) return -1;
         if (!due) return i;
-        return i / size < *due ? size * list[i / size] + i % size : -1;
+        return i / contactBlock < *due ? contactBlock * list[i / contactBlock] + i % contactBlock
+                                       : -1;
     }
 };
 

@@ -5,6 +5,7 @@
 #include "kernels/element/StateLayout.h"
 #include "kernels/particle/InteriorNodes.h"
 #include "parallel/Atomic.h"
+#include "parallel/LaunchSizes.h"
 
 namespace fpm {
 
@@ -20,7 +21,8 @@ struct PatchHeader {
     std::size_t state, strains;               ///< start of the state of the patch (StateLayout)
 };
 
-inline constexpr Index patchCapacity = 256;
+static_assert(patchCapacity == 256, "ElementPass::slotCorners keep the element in eight bits");
+
 inline constexpr int elementEnergies = 4; ///< internal, plastic, hourglass, bulk viscosity
 inline constexpr int elementSums = elementEnergies + 1; ///< and the stable step
 
@@ -50,7 +52,7 @@ struct ElementForces {
     const Index* boundaryNodes;   ///< the nodes of a patch beyond the interior, as partial sums
     const std::uint16_t* corners; ///< node within the patch, 8 values per element, in tiles
     const std::uint16_t* cornerStarts; ///< element corners around a node: CSR
-    const std::uint16_t* slotCorners;  ///< ... corner * 256 + element, ascending element
+    const std::uint16_t* slotCorners;  ///< ... corner * patchCapacity + element, ascending element
     InteriorNodes<Numbers> nodes;      ///< all nodes of the model
     const Work* mass;                  ///< tiles of 1
     const Work* massRatio; ///< mass over mass without scaling, for the heat of plastic work; null:
@@ -345,7 +347,7 @@ private:
             storeHourglass(first + layout.hourglassForces() * tileWidth, from.hourglass);
     }
 
-    /// Corner forces into scratch: [3 * corner + component][256].
+    /// Corner forces into scratch: [3 * corner + component][patchCapacity].
     template <class T>
     FPM_KERNEL static void storeForces(const Modes<T>& f, Work* forces)
     {

@@ -74,7 +74,7 @@ struct BodySum {
     const ConditionUse* uses;
     const Condition* conditions;
     const double* amplitudeRows;
-    double* contactLimit; ///< of each body
+    double* contactBound; ///< of each body
     const StepClock* clock;
 
     static constexpr std::size_t scratch() { return blockSumScratch(bodySums); }
@@ -111,7 +111,7 @@ private:
             body.outer.force +=
                 factor * Vec3<double>{condition.value[0], condition.value[1], condition.value[2]};
         }
-        contactLimit[number] = s[12];
+        contactBound[number] = s[12];
     }
 };
 

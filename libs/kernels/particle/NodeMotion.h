@@ -4,11 +4,10 @@
 #include "kernels/contact/ForceSum.h"
 #include "kernels/particle/Amplitude.h"
 #include "kernels/particle/InteriorNodes.h"
+#include "parallel/LaunchSizes.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
-
-inline constexpr Index nodeBlock = 256;
 
 /// Works done on the nodes, trapezoidal in time: half with the increment that led to the positions
 /// (known now), half with the next one. Order of the sums in NodeMotion::blockWork.

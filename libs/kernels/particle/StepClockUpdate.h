@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/particle/StepClock.h"
+#include "parallel/LaunchSizes.h"
 
 namespace fpm {
 
@@ -9,25 +10,31 @@ namespace fpm {
 struct StepClockUpdate {
     const double* patchStep;
     Index patchCount;
-    const double* contactLimit;
-    Index limitCount;
+    const double* contactBound; ///< [block of contact nodes], squared frequency of the springs
+    Index contactCount;
+    const double* bodyBound; ///< likewise of each rigid body
+    Index bodyCount;
     StepRules rules;
     StepClock* clock;
 
-    /// Minimum and maximum do not depend on the order: as many lanes as there are threads.
-    static constexpr Index mostLanes = 256;
-    static constexpr std::size_t scratch() { return 2 * (mostLanes + 16) * sizeof(double); }
+    static constexpr std::size_t scratch()
+    {
+        return 2 * (reductionLanes + reductionGroups) * sizeof(double);
+    }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index) const
     {
-        constexpr Index lanes = Team::oneThread ? 1 : mostLanes, groups = Team::oneThread ? 1 : 16;
+        constexpr Index lanes = Team::oneThread ? 1 : reductionLanes,
+                        groups = Team::oneThread ? 1 : reductionGroups;
         double* bounds = reinterpret_cast<double*>(team.scratch());
         double* ofGroup = bounds + 2 * lanes;
-        const Bounds elements{patchStep, patchCount}, contact{contactLimit, limitCount};
+        const Bounds elements{patchStep, patchCount}, contact{contactBound, contactCount},
+            bodies{bodyBound, bodyCount};
         team.forEach(lanes, [=](Index lane) {
             bounds[lane] = elements.least(lane, lanes);
-            bounds[lanes + lane] = contact.most(lane, lanes);
+            const double touch = contact.most(lane, lanes), body = bodies.most(lane, lanes);
+            bounds[lanes + lane] = body > touch ? body : touch;
         });
         team.barrier();
         team.forEach(groups, [=](Index group) {

@@ -27,15 +27,6 @@ def processor():
     return "unknown processor"
 
 
-def commit():
-    """Of the sources, or what the bundle was made from."""
-    noted = PROJECT / "commit"
-    if noted.exists():
-        return noted.read_text().strip()
-    changed = " and changes" if output("git", "status", "--porcelain", "-uno") else ""
-    return (output("git", "rev-parse", "--short", "HEAD") or "unknown") + changed
-
-
 class Machine:
     def __init__(self, binaries, megabytes, repeats):
         self.binaries = pathlib.Path(binaries).resolve()
@@ -58,7 +49,8 @@ class Machine:
             self.bandwidths[backend, found["threads"]] = found
 
     def header(self, options):
-        lines = [f"{time.strftime('%Y-%m-%d %H:%M', time.gmtime())} UTC, commit {commit()}",
+        lines = [f"{time.strftime('%Y-%m-%d %H:%M', time.gmtime())} UTC, "
+                 + output(self.binaries / "fpmExplicit", "-version"),
                  f"{processor()}, {self.cores} cores, load {os.getloadavg()[0]:.1f}; "
                  + (self.gpu or "no GPU"), f"options: {options}"]
         for (backend, threads), found in self.bandwidths.items():

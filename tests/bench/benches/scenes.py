@@ -68,7 +68,7 @@ class Variant:
         self.environment = environment or {}
 
     def start(self, scene, steps):
-        """Runs the scene and returns performance.json; the dictionaries are put back."""
+        """Runs the scene and returns its performance record; the dictionaries are put back."""
         files = {file: (scene.root / file).read_text()
                  for file in ("system/controlDict", "system/contactDict", "constant/partProperties")}
         try:
@@ -122,8 +122,8 @@ def measure(scene, variants, repeats, steps, notes):
         name = scene.name if variant.contact else f"{scene.name}.noContact"
         rows.append(Row(name, variant.backend, variant.threads, simd, variant.precision,
                         variant.algorithm, found["elements"], found["contactors"], found["steps"],
-                        [run["wallSeconds"] for run in runs], found["contactShare"],
-                        None if found["contactors"] else found["bytesPerElementStep"],
+                        [run["wallSeconds"] for run in runs], found.get("contactShare"),
+                        None if found["contactors"] else found.get("bytesPerElementStep"),
                         found["deviceBytes"], found["checksum"]))
     shareContact(rows)
     return rows

@@ -1,6 +1,5 @@
 """A case in a temporary copy, run with the applications of one build."""
 
-import json
 import os
 import pathlib
 import re
@@ -9,6 +8,7 @@ import subprocess
 import tempfile
 
 from driver.curves import readTable
+from driver.record import readRecord
 
 PROJECT = pathlib.Path(__file__).resolve().parents[3]
 DEVICE = 8  # exit code where the wanted device is missing
@@ -81,8 +81,7 @@ class CaseRun:
         return dict(re.findall(r"^(\w+) (\S+);$", (self.root / "status").read_text(), re.M))
 
     def performance(self):
-        return json.loads(
-            (self.root / "postProcessing/performance/0/performance.json").read_text())
+        return readRecord(self.root / "postProcessing/performance/0/performance")
 
     def worstBalance(self):
         """Largest energy balance error of the run, a share of the largest energy."""

@@ -28,7 +28,7 @@ def allrun(case):
 
 
 def complete(binaries, marks):
-    """Allrun from the mesh to the pictures: files, status, performance.json."""
+    """Allrun from the mesh to the pictures: files, status, performance record."""
     with small(binaries) as case:
         done = allrun(case)
         marks.true("Allrun succeeds", done.returncode == 0)
@@ -47,8 +47,8 @@ def complete(binaries, marks):
         wanted = {"elements", "nodes", "contactors", "steps", "wallSeconds", "nsPerElementStep",
                   "contactShare", "searches", "backend", "precision", "description", "deviceBytes",
                   "nsPerContactorStep", "bytesPerElementStep", "algorithm", "checksum"}
-        marks.true("keys of performance.json", wanted <= performance.keys())
-        marks.true("elements of performance.json", performance["elements"] == 3 * 144 + 12 * 8)
+        marks.true("keys of the performance record", wanted <= performance.keys())
+        marks.true("elements of the performance record", performance["elements"] == 3 * 144 + 12 * 8)
         pairs = sorted(p.stem for p in (case.root / "postProcessing/contactForces/0").iterdir())
         marks.true("a history for each pair", pairs == ["layer2Layer1", "layer3Layer2", "rodLayer"])
 

@@ -25,10 +25,10 @@ TEST(EmulatedCoverage, TheScenesLaunchEveryKernelInEveryPrecision)
             scene.model.control.backend = "cuda";
             const auto solver = startedSolver(scene.model);
             solver->advance(1, 4);
-            solver->nodeValues({0});
+            solver->nodes().values({0});
             for (std::size_t pair = 0; pair < scene.model.contactPairs.size(); ++pair)
-                solver->pairTouch(pair);
-            solver->contactGaps();
+                solver->contact().status(pair);
+            solver->contact().gaps();
         }
     bench::bandwidthOfGpu(1000, 1);
     std::size_t launches = 0, largest = 0, count = 0;

@@ -13,7 +13,7 @@ namespace {
 template <class T>
 using Device = Array<T, CudaExecutor>;
 
-constexpr int threads = 256;
+constexpr int threads = threadsPerBlock;
 constexpr std::size_t blockBytes = threads * sizeof(Index);
 
 template <class Body>
@@ -229,7 +229,7 @@ TEST_F(StandIn, AGraphReplaysWhatWasRecorded)
     Index step = 1;
     const auto ten = [&] {
         executor.repeat(
-            10, [] {},
+            stepsPerGraph, [] {},
             [&] {
                 executor.parallelFor(1, Count{out.data(), step});
             });

@@ -1,6 +1,7 @@
 #include "advise/Results.h"
 
 #include "base/Log.h"
+#include "case/PerformanceRecord.h"
 #include "io/VtkHdf.h"
 #include "unit/advise/symmetricScene.h"
 #include "unit/model/CaseFolder.h"
@@ -38,8 +39,10 @@ protected:
     {
         const std::string file = "postProcessing/energies/0/energies.dat";
         folder_.write(file, "# fpm run " + runId + " " + file + "\n# time kinetic\n0 5\n");
-        folder_.write("postProcessing/performance/0/performance.json",
-                      "{ \"runId\": \"" + runId + "\",\n  \"frictionWork touch\": 7,\n}\n");
+        PerformanceRecord performance;
+        performance.runId = runId;
+        performance.frictionWork = {{"touch", 7}};
+        folder_.write(performanceFile, performance.text());
     }
     std::optional<Results> read()
     {
@@ -85,7 +88,7 @@ TEST_F(ResultsTest, LeaveOutHistoriesOfAnotherRun)
     ASSERT_TRUE(results);
     EXPECT_EQ(results->frictionWork, std::vector<std::optional<double>>{std::nullopt});
     EXPECT_FALSE(results->energies);
-    EXPECT_NE(said_.find("performance.json is of another run"), said_.npos) << said_;
+    EXPECT_NE(said_.find("0/performance is of another run"), said_.npos) << said_;
     EXPECT_NE(said_.find("energies.dat is of another run"), said_.npos) << said_;
 }
 

@@ -30,7 +30,7 @@ public:
     double trueTravel(std::size_t block) const
     {
         double most = 0;
-        for (std::size_t i = block * displacementBlock; i < (block + 1) * displacementBlock; ++i)
+        for (std::size_t i = block * contactBlock; i < (block + 1) * contactBlock; ++i)
             most = std::max(most, std::hypot(position_[i] - start_[i],
                                              position_[count + i] - start_[count + i],
                                              position_[2 * count + i] - start_[2 * count + i]));
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 2 * displacementBlock;
+    static constexpr std::size_t count = 2 * contactBlock;
     std::mt19937 random_{3};
     std::uniform_real_distribution<double> width{-1, 1};
     std::vector<Index> nodes_;

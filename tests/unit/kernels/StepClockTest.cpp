@@ -185,27 +185,31 @@ TEST(StepClock, StandingStillItOnlyJudges)
     EXPECT_EQ(clock.failed, 1);
 }
 
-TEST(StepClock, PassTakesTheLeastElementStepAndTheStiffestContact)
+TEST(StepClock, TakesTheLeastElementStepAndTheStiffestContactOfNodesAndBodies)
 {
     const std::vector<double> steps{0.7, 0.2, 0.9, 0.4};
-    std::vector<double> limits(40, 1.0);
+    std::vector<double> limits(40, 1.0), ofBodies{4, 9};
     limits[33] = 25;
-    StepClock clock = clockUntil(1e9);
-    const StepClockUpdate pass{steps.data(), 4, limits.data(), 40, {}, &clock};
-    CpuExecutor<64>(1, StepClockUpdate::scratch())
-        .parallelBlocks(1, StepClockUpdate::scratch(), pass);
-    EXPECT_EQ(clock.elementStep, 0.2);
-    EXPECT_EQ(clock.contactFrequency, 5);
-    EXPECT_EQ(clock.running, 1);
+    for (const double stiffest : {25.0, 49.0}) {
+        ofBodies[1] = stiffest == 25 ? 9 : 49;
+        StepClock clock = clockUntil(1e9);
+        const StepClockUpdate update{steps.data(), 4,     limits.data(), 40, ofBodies.data(), 2,
+                                     {},           &clock};
+        CpuExecutor<64>(1, StepClockUpdate::scratch())
+            .parallelBlocks(1, StepClockUpdate::scratch(), update);
+        EXPECT_EQ(clock.elementStep, 0.2);
+        EXPECT_EQ(clock.contactFrequency, std::sqrt(stiffest));
+        EXPECT_EQ(clock.running, 1);
+    }
 }
 
-TEST(StepClock, PassFailsWhenOneElementHasNoNumber)
+TEST(StepClock, FailsWhenOneElementHasNoNumber)
 {
     std::vector<double> steps(100, 1.0);
     steps[71] = std::numeric_limits<double>::quiet_NaN();
     StepClock clock = clockUntil(1);
-    const StepClockUpdate pass{steps.data(), 100, nullptr, 0, {}, &clock};
+    const StepClockUpdate update{steps.data(), 100, nullptr, 0, nullptr, 0, {}, &clock};
     CpuExecutor<64>(1, StepClockUpdate::scratch())
-        .parallelBlocks(1, StepClockUpdate::scratch(), pass);
+        .parallelBlocks(1, StepClockUpdate::scratch(), update);
     EXPECT_EQ(clock.failed, 1);
 }

@@ -1,6 +1,6 @@
 #include "probe/Probe.h"
 
-#include "application/PreviousRun.h"
+#include "case/PreviousRun.h"
 #include "io/Table.h"
 #include "io/VtkHdf.h"
 #include "mesh/MeshFile.h"

@@ -10,9 +10,9 @@ namespace {
 int countGaps(const Model& model, double expected)
 {
     const auto solver = startedSolver(model);
-    const std::vector<double> gaps = solver->contactGaps();
+    const std::vector<double> gaps = solver->contact().gaps();
     EXPECT_EQ(gaps.size(), model.mesh.points.size());
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     int count = 0;
     for (std::size_t node = 0; node < gaps.size(); ++node) {
         if (std::isnan(gaps[node])) continue;
@@ -46,7 +46,7 @@ TEST(ContactGap, OfTwoPassesBothSidesHaveOne)
     model.contactPairs[0].passes = 2;
     const auto solver = startedSolver(model);
     int lower = 0;
-    const std::vector<double> gaps = solver->contactGaps();
+    const std::vector<double> gaps = solver->contact().gaps();
     for (std::size_t node = 0; node < gaps.size(); ++node) {
         if (!(gaps[node] < 0)) continue;
         EXPECT_NEAR(gaps[node], -0.02, 1e-6);

@@ -24,7 +24,7 @@ double impulseOn(const Model& model, double time)
     const std::vector<Index> upper = nodesOfPart(model.mesh, "upper");
     const double before = momentum(*solver, upper)[2];
     solver->advance(time, 100000);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
     return momentum(*solver, upper)[2] - before;
 }
 
@@ -46,7 +46,7 @@ TEST(ContactKinds, KeepLinearMomentum)
         const Point before = momentum(*solver);
         const double scale = std::abs(before[0]) + std::abs(before[1]) + std::abs(before[2]);
         solver->advance(1e-6, 100000);
-        EXPECT_GT(solver->pairForce(0).active, 0);
+        EXPECT_GT(solver->contact().force(0).active, 0);
         solver->advance(4e-6, 100000);
         const Point after = momentum(*solver);
         for (std::size_t c = 0; c < 3; ++c)
@@ -70,10 +70,10 @@ TEST(ContactKinds, TwoPassesAddTheForcesOfBothSidesWithHalfTheStiffness)
         .passes = 2;
     model.control.backend = "serial";
     const auto solver = startedSolver(model);
-    const PairForce force = solver->pairForce(0);
+    const PairForce force = solver->contact().force(0);
     EXPECT_EQ(force.active, 8);
     EXPECT_NEAR(force.force[2], 4 * 0.01 * 70000 / 3, 1e-6);
-    EXPECT_NEAR(solver->energies().contact, 0.5 * 4 * 0.01 * 0.01 * 70000 / 3, 1e-6);
+    EXPECT_NEAR(solver->ledger().energies().contact, 0.5 * 4 * 0.01 * 0.01 * 70000 / 3, 1e-6);
 }
 
 /// F12: a coarse block under pressure on a fine one. How deep the worst node of the fine one is.
@@ -96,8 +96,8 @@ double deepestFineNode(int passes)
     model.control.massDamping = 1e6;
     const auto solver = startedSolver(model);
     solver->advance(2e-5, 1000000);
-    EXPECT_NEAR(solver->pairForce(0).force[2], 2000, 40);
-    const NodeValues values = solver->nodeValues({});
+    EXPECT_NEAR(solver->contact().force(0).force[2], 2000, 40);
+    const NodeValues values = solver->nodes().values({});
     double lowest = 1e9, highest = -1e9;
     for (const Index node : model.contactPairs[0].contactorNodes)
         lowest = std::min(lowest, values.at(0, std::size_t(node))[2]);
@@ -148,9 +148,9 @@ TEST(ContactKinds, ThinLayersAreHeldFromTheSideTheyAreTouched)
         for (int call = 0; call < 20; ++call) {
             solver->advance(1e-5, 50);
             ASSERT_FALSE(solver->clock().failed);
-            EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+            EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
         }
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         // No layer has passed through another: their middles stay in order.
         double below = -1;
         for (const char* part : {"ground", "layer0", "layer1", "layer2", "stamp"}) {
@@ -161,8 +161,8 @@ TEST(ContactKinds, ThinLayersAreHeldFromTheSideTheyAreTouched)
             below = sum / double(nodes.size());
         }
         for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-            EXPECT_EQ(solver->pairForce(pair).released, 0);
-            EXPECT_EQ(solver->pairForce(pair).crowded, 0);
+            EXPECT_EQ(solver->contact().force(pair).released, 0);
+            EXPECT_EQ(solver->contact().force(pair).crowded, 0);
         }
     }
 }
@@ -184,7 +184,7 @@ TEST(ContactKinds, ACompressedLayerDoesNotCaptureItsOwnOtherSide)
     const auto solver = startedSolver(model);
     while (solver->clock().time < 1.4e-5) {
         solver->advance(1.4e-5, 20);
-        ASSERT_EQ(solver->pairForce(0).active, 0);
+        ASSERT_EQ(solver->contact().force(0).active, 0);
     }
 }
 
@@ -208,10 +208,10 @@ TEST(ContactKinds, OneNodeTouchesThreeBodiesAtOnce)
     const auto corner = nodesWhere(
         model.mesh, [](Point p) { return p[0] == -0.01 && p[1] == -0.01 && p[2] == -0.01; });
     ASSERT_EQ(corner.size(), 1u);
-    const Point force = solver->nodeValues(corner).at(3, 0);
+    const Point force = solver->nodes().values(corner).at(3, 0);
     // Half the stiffness K A^2 / V for the node, and what the nodes of the others give its faces.
     for (std::size_t c = 0; c < 3; ++c) EXPECT_GE(force[c], 0.5 * 0.01 * 70000 / 3 - 1e-6);
-    EXPECT_EQ(solver->pairForce(0).crowded, 0);
+    EXPECT_EQ(solver->contact().force(0).crowded, 0);
 }
 
 TEST(ContactKinds, RigidBodiesAreLeftOutOfGeneralContactWithEachOther)
@@ -233,7 +233,7 @@ TEST(ContactKinds, RigidBodiesAreLeftOutOfGeneralContactWithEachOther)
     const auto solver = startedSolver(model);
     const auto forceOn = [&](const char* part) {
         double sum = 0;
-        const NodeValues values = solver->nodeValues(nodesOfPart(model.mesh, part));
+        const NodeValues values = solver->nodes().values(nodesOfPart(model.mesh, part));
         for (std::size_t i = 0; i < values.count; ++i) sum += values.at(3, i)[2];
         return sum;
     };
@@ -245,9 +245,9 @@ TEST(ContactKinds, RigidBodiesAreLeftOutOfGeneralContactWithEachOther)
 TEST(ContactKinds, PairsOfTheirOwnAreLeftOutOfGeneralContact)
 {
     Model model = blocks(ContactKind::general, 1, {0, 0, -1e4}, 0, -0.05);
-    EXPECT_GT(startedSolver(model)->pairForce(0).active, 0);
+    EXPECT_GT(startedSolver(model)->contact().force(0).active, 0);
     model.contactPairs[0].apart = {{1, 0}};
-    EXPECT_EQ(startedSolver(model)->pairForce(0).active, 0);
+    EXPECT_EQ(startedSolver(model)->contact().force(0).active, 0);
 }
 
 TEST(ContactKinds, AFoldThatClosesMeetsItself)
@@ -260,18 +260,18 @@ TEST(ContactKinds, AFoldThatClosesMeetsItself)
         else
             addContact(model, "own", sides, sides).kind = ContactKind::self;
         const auto solver = startedSolver(model);
-        EXPECT_EQ(solver->pairForce(0).active, 0) << "nothing touches at the start";
+        EXPECT_EQ(solver->contact().force(0).active, 0) << "nothing touches at the start";
         Index most = 0;
         while (solver->clock().time < 8e-6) {
             solver->advance(8e-6, 20);
             ASSERT_FALSE(solver->clock().failed);
-            most = std::max(most, solver->pairForce(0).active);
-            EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+            most = std::max(most, solver->contact().force(0).active);
+            EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
         }
         EXPECT_GT(most, 8);
-        EXPECT_EQ(solver->pairForce(0).released, 0);
+        EXPECT_EQ(solver->contact().force(0).released, 0);
         // The arms are still apart: every upper node over its lower one.
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         for (const Index upper : nodesWhere(
                  model.mesh, [](Point p) { return std::abs(p[2] - 1.5) < 1e-9 && p[0] > 1.1; })) {
             const Point& start = model.mesh.points[std::size_t(upper)];

@@ -1,13 +1,6 @@
-#include "application/Application.h"
-#include "solver/Histories.h"
-#include "solver/Performance.h"
-#include "support/TemporaryFolder.h"
 #include "unit/solver/scenes.h"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace fpm::test {
 namespace {
@@ -76,19 +69,19 @@ TEST(ContactLaw, StuckPairKeepsItsTractionThroughAFullTurn)
     for (const char axis : {'x', 'y', 'z'}) {
         const auto solver = startedSolver(turningPair(axis, "objective"));
         solver->advance(1e-5, 100000);
-        const Point start = solver->pairForce(0).force;
+        const Point start = solver->contact().force(0).force;
         const double tangential = std::hypot(start[0], start[1]);
         EXPECT_GT(tangential, 0.1 * start[2]);
         EXPECT_NEAR(start[0] / start[1], -2, 1e-6); // against the shear
-        const double lost = solver->energies().friction;
+        const double lost = solver->ledger().energies().friction;
         for (int part = 1; part <= 8; ++part) {
             solver->advance(1e-5 + 4e-4 * part / 8, 1000000);
-            const Point now = turnedBack(solver->pairForce(0).force, axis, turn * part / 8);
+            const Point now = turnedBack(solver->contact().force(0).force, axis, turn * part / 8);
             for (std::size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(now[c], start[c], 0.01 * tangential)
                     << axis << " after " << part << " eighths, component " << c;
         }
-        EXPECT_NEAR(solver->energies().friction, lost, 1e-12);
+        EXPECT_NEAR(solver->ledger().energies().friction, lost, 1e-12);
     }
 }
 
@@ -99,9 +92,9 @@ TEST(ContactLaw, StuckPairKeepsItsTractionInEveryPrecision)
         model.control.precision = precision;
         const auto solver = startedSolver(model);
         solver->advance(1e-5, 100000);
-        const Point start = solver->pairForce(0).force;
+        const Point start = solver->contact().force(0).force;
         solver->advance(1e-5 + 4e-4, 1000000);
-        const Point now = solver->pairForce(0).force;
+        const Point now = solver->contact().force(0).force;
         const double tangential = std::hypot(start[0], start[1]);
         for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(now[c], start[c], 0.01 * tangential);
     }
@@ -111,9 +104,9 @@ TEST(ContactLaw, FrictionAsPrintedDoesNotTurnWithTheBodies)
 {
     const auto solver = startedSolver(turningPair('z', "paper"));
     solver->advance(1e-5, 100000);
-    const Point start = solver->pairForce(0).force;
+    const Point start = solver->contact().force(0).force;
     solver->advance(1e-5 + 4e-4 / 4, 1000000);
-    const Point now = solver->pairForce(0).force;
+    const Point now = solver->contact().force(0).force;
     EXPECT_NEAR(now[0], start[0], 0.05 * std::hypot(start[0], start[1])); // still along x, y
     EXPECT_NEAR(now[1], start[1], 0.05 * std::hypot(start[0], start[1]));
 }
@@ -148,13 +141,13 @@ double measuredStiffness(PenaltyRule rule, bool rigidTarget = false)
     model.control.massDamping = 2e6;
     const auto solver = startedSolver(model);
     solver->advance(1e-4, 1000000);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     double gap = 0;
     for (const Index i : model.contactPairs[0].contactorNodes)
         gap += values.at(0, std::size_t(i))[2] / 4;
     for (const Index i : nodesOf(model.mesh, model.contactPairs[0].targetSides))
         gap -= values.at(0, std::size_t(i))[2] / 4;
-    return -solver->pairForce(0).force[2] / (4 * gap);
+    return -solver->contact().force(0).force[2] / (4 * gap);
 }
 
 TEST(ContactLaw, PenaltyTakesTheStiffnessAskedFor)
@@ -184,9 +177,9 @@ TEST(ContactLaw, DampedImpactOfBlocksBooksWhatItTakes)
     const auto damped = startedSolver(model);
     plain->advance(1.2e-5, 100000);
     damped->advance(1.2e-5, 100000);
-    EXPECT_EQ(plain->energies().contactDamping, 0);
-    EXPECT_GT(damped->energies().contactDamping, 0);
-    EXPECT_LT(std::abs(damped->energies().balance), 0.005);
+    EXPECT_EQ(plain->ledger().energies().contactDamping, 0);
+    EXPECT_GT(damped->ledger().energies().contactDamping, 0);
+    EXPECT_LT(std::abs(damped->ledger().energies().balance), 0.005);
     EXPECT_GT(damped->clock().contactFrequency, plain->clock().contactFrequency * 1.2);
 }
 
@@ -204,25 +197,6 @@ TEST(ContactLaw, DynamicFrictionSlowsByTheDynamicCoefficient)
     const Point after = momentum(*solver, upper);
     const double normal = after[2] - before[2];
     EXPECT_NEAR(after[0] - before[0], -0.2 * normal, 0.03 * 0.2 * normal);
-}
-
-TEST(ContactLaw, LimitOfTheStepNamesThePairOrTheElement)
-{
-    Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
-                            aluminium(PartKind::elastic, HourglassForm::stiffness), {0, 0, 0}, 0);
-    for (const double scale : {1e-3, 30.0}) {
-        model.contactPairs[0].normalScale = scale;
-        const auto solver = startedSolver(model);
-        solver->advance(1, 3);
-        const std::string text = stepLimit(*solver, model);
-        if (scale < 1) {
-            EXPECT_NE(text.find("of part upper"), std::string::npos) << text;
-            continue;
-        }
-        EXPECT_NE(text.find("contact pair touch: node "), std::string::npos) << text;
-        // By hand: 2 k / m of the worst contact node is what the clock has.
-        EXPECT_EQ(solver->contactLimit().frequency, solver->clock().contactFrequency);
-    }
 }
 
 /// A rigid brick led at a multiple of the wave speed into a fixed block of unit cells, from a
@@ -250,7 +224,7 @@ bool caught(double speed, double start, ContactSearch search = ContactSearch::fa
     const auto solver = startedSolver(model);
     while (solver->clock().time * speed * c < start + 1.5 && !solver->clock().failed) {
         solver->advance(1, 1);
-        if (solver->pairForce(0).active == 4) return true;
+        if (solver->contact().force(0).active == 4) return true;
     }
     return false;
 }
@@ -265,60 +239,6 @@ TEST(ContactLaw, NoContactorIsLostUpToTheSpeedOfWaves)
             for (const ContactSearch search :
                  {ContactSearch::faces, ContactSearch::closestParticle})
                 EXPECT_TRUE(caught(speed, start, search)) << speed << " c from " << start;
-}
-
-std::vector<std::vector<double>> tableOf(const std::filesystem::path& file)
-{
-    std::ifstream in(file);
-    std::vector<std::vector<double>> rows;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty() || line[0] == '#') continue;
-        std::istringstream words(line);
-        rows.emplace_back();
-        for (double x; words >> x;) rows.back().push_back(x);
-    }
-    return rows;
-}
-
-TEST(ContactLaw, ReactionHistoriesHaveTravelAndTheForceOfTheWhole)
-{
-    Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
-                            aluminium(PartKind::elastic, HourglassForm::stiffness), {0, 0, 0}, 0);
-    RigidSurface wall;
-    wall.name = "wall";
-    wall.point = {0, 0, -4};
-    wall.motion = RigidSurface::Motion::velocity;
-    wall.value = {0, 0, 2e3};
-    model.rigidSurfaces.push_back(wall);
-    addContact(model, "onWall", facing(model.mesh, "lower", {0, 0, -1}), {}).surface = 0;
-    model.boundaryConditions.push_back(
-        condition(BoundaryCondition::Kind::displacement, "lid",
-                  nodesWhere(model.mesh, [](Point p) { return p[2] > 5.99; }), {false, false, true},
-                  {0, 0, -0.01}, {Amplitude::Kind::table, {{0, 0}, {1e-5, 1}}}));
-    History ofWall, ofLid;
-    ofWall.kind = ofLid.kind = History::Kind::reaction;
-    ofWall.name = "wall";
-    ofWall.surface = 0;
-    ofWall.factor = 4;
-    ofLid.name = "lid";
-    ofLid.condition = 0;
-    ofLid.nodes = model.boundaryConditions[0].nodes;
-    model.control.histories = {ofWall, ofLid};
-    const auto solver = startedSolver(model);
-    solver->advance(5e-6, 100000);
-    const TemporaryFolder folder;
-    const double force = solver->pairForce(1).force[2];
-    EXPECT_GT(force, 0);
-    {
-        Histories histories(folder.path(), model);
-        histories.sample(*solver, Sample(*solver, model));
-    }
-    const auto wallRow = tableOf(folder.path() / "postProcessing/wall/0/reaction.dat").back();
-    const auto lidRow = tableOf(folder.path() / "postProcessing/lid/0/reaction.dat").back();
-    ASSERT_EQ(wallRow.size(), 5u);
-    EXPECT_NEAR(wallRow[1], 0.01, 1e-12); // 2e3 * 5e-6
-    EXPECT_NEAR(wallRow[4], 4 * force, 1e-6 * force);
-    EXPECT_NEAR(lidRow[1], 0.005, 1e-12);
 }
 
 } // namespace

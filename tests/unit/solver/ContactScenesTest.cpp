@@ -31,7 +31,7 @@ double obliqueImpact(ContactKind kind, double friction)
     double change = 0, strongest = 0;
     for (int step = 0; step < 250; ++step) {
         solver->advance(1, 1);
-        strongest = std::max(strongest, lengthOf(solver->pairForce(0).force));
+        strongest = std::max(strongest, lengthOf(solver->contact().force(0).force));
         const Point after = angularMomentum(*solver);
         const Point d{after[0] - before[0], after[1] - before[1], after[2] - before[2]};
         change = std::max(change, lengthOf(d));
@@ -97,8 +97,8 @@ TEST(ContactScenes, ACubeThrownIntoTheCornerOfThreeLooseWallsComesBack)
         for (int call = 0; call < 40; ++call) {
             solver->advance(3e-6, 20);
             ASSERT_EQ(solver->clock().failed, 0);
-            EXPECT_LT(std::abs(solver->energies().balance), 0.01);
-            const NodeValues values = solver->nodeValues(cube);
+            EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
+            const NodeValues values = solver->nodes().values(cube);
             for (std::size_t i = 0; i < values.count; ++i)
                 for (const double x : values.at(0, i)) deepest = std::max(deepest, -x);
         }
@@ -109,8 +109,8 @@ TEST(ContactScenes, ACubeThrownIntoTheCornerOfThreeLooseWallsComesBack)
         }
         EXPECT_LT(deepest, 0.1);
         for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
-            EXPECT_EQ(solver->pairForce(pair).released, 0);
-            EXPECT_EQ(solver->pairForce(pair).crowded, 0);
+            EXPECT_EQ(solver->contact().force(pair).released, 0);
+            EXPECT_EQ(solver->contact().force(pair).crowded, 0);
         }
     }
 }
@@ -137,7 +137,7 @@ TEST(ContactScenes, ARowOfRodsPassesTheBlowToItsLast)
             momentum(*solver, nodesOfPart(model.mesh, "rod" + std::to_string(i)))[2] / all;
         EXPECT_NEAR(share, i == rods - 1 ? 1 : 0, 0.05) << "rod " << i;
     }
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
 /// A block falling on a plate, friction between; one quarter of both, or all of it.
@@ -184,7 +184,7 @@ double quarterError(ContactSearch search, double scale)
         const double before = momentum(*solver, block)[2];
         solver->advance(8e-6, 100000);
         after[quarter ? 1 : 0] = (quarter ? 4 : 1) * momentum(*solver, block)[2];
-        EXPECT_EQ(solver->pairForce(0).active, 0);
+        EXPECT_EQ(solver->contact().force(0).active, 0);
         EXPECT_GT(after[quarter ? 1 : 0], (quarter ? 4 : 1) * -0.5 * before);
     }
     return std::abs(after[1] / after[0] - 1);
@@ -232,10 +232,10 @@ TEST(ContactScenes, CyclicShearUnderChangingPressureOnlyLosesEnergy)
         double last = 0, worst = 0;
         while (solver->clock().time < 4e-5) {
             solver->advance(4e-5, 20);
-            const double lost = solver->energies().friction;
+            const double lost = solver->ledger().energies().friction;
             EXPECT_GE(lost, last);
             last = lost;
-            const Energies now = solver->energies();
+            const Energies now = solver->ledger().energies();
             worst = std::max(worst, std::abs(now.balance));
         }
         EXPECT_GT(last, 0);

@@ -45,7 +45,7 @@ Bounce bounce(Solver& solver, double end)
     double before = 0, time = 0;
     while (solver.clock().time < end) {
         solver.advance(end, 1);
-        const double force = solver.pairForce(0).force[2], step = solver.clock().time - time;
+        const double force = solver.contact().force(0).force[2], step = solver.clock().time - time;
         time = solver.clock().time;
         out.impulse += step * (force + before) / 2;
         before = force;
@@ -72,9 +72,9 @@ TEST(Contact, ColumnBouncesWithItsOwnMomentumAfterFourRunsOfTheWave)
     EXPECT_NEAR(result.impulse, after - before, 0.005 * std::abs(before));
     EXPECT_NEAR(result.last - result.first, 4 * run, 0.1 * run);
     EXPECT_EQ(result.force.back(), 0);
-    EXPECT_EQ(solver->pairForce(0).active, 0);
-    EXPECT_EQ(solver->pairForce(0).released, 0);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.002);
+    EXPECT_EQ(solver->contact().force(0).active, 0);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.002);
 }
 
 TEST(Contact, ForceOfTheImpactIsHalfTheImpedanceTimesTheSpeed)
@@ -86,7 +86,7 @@ TEST(Contact, ForceOfTheImpactIsHalfTheImpedanceTimesTheSpeed)
     int count = 0;
     while (solver->clock().time < 1.5 * run) {
         solver->advance(1, 1);
-        sum += solver->pairForce(0).force[2];
+        sum += solver->contact().force(0).force[2];
         ++count;
     }
     const double exact = 2.7e-9 * c * 1e4 / 2;
@@ -100,7 +100,7 @@ TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
         twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                   aluminium(PartKind::elastic, HourglassForm::physical), {0, 0, -4e5}, 0, 2.9);
     const auto solver = startedSolver(model);
-    const double reach = solver->data().passes[0].reach;
+    const double reach = solver->contact().setUp().passes[0].reach;
     double least = 1e9;
     while (solver->clock().time < 1.2e-5) {
         const std::int64_t searches = solver->times().searches;
@@ -112,8 +112,8 @@ TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
         ASSERT_EQ(solver->clock().failed, 0);
     }
     EXPECT_GE(least, 1) << "a list was used for more than half a skin of displacement";
-    EXPECT_EQ(solver->pairForce(0).released, 0);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
 TEST(Contact, ListsThatAJumpOutrunsAreReported)
@@ -129,7 +129,7 @@ TEST(Contact, ListsThatAJumpOutrunsAreReported)
         const auto solver = startedSolver(model);
         solver->advance(5e-6, 1000);
         EXPECT_GE(solver->clock().time, 5e-6);
-        return solver->pairForce(0).late;
+        return solver->contact().force(0).late;
     };
     EXPECT_EQ(late(1), 0);
     EXPECT_GT(late(0), 0);
@@ -172,19 +172,19 @@ TEST(Contact, PenetrationAtRestIsForceOverStiffness)
         const auto solver = startedSolver(model);
         solver->advance(6e-5, 1000000);
 
-        const PairForce force = solver->pairForce(0);
+        const PairForce force = solver->contact().force(0);
         EXPECT_NEAR(force.force[2], 100, 0.01);
         EXPECT_EQ(force.active, 4);
         // Four springs of s K A^2 / V, K = E / 3; the faces lie above each other.
         const double gap = 100 / (4 * scale * 70000 / 3);
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         double upper = 0, lower = 0;
         for (const Index i : model.contactPairs[0].contactorNodes)
             upper += values.at(0, std::size_t(i))[2] / 4;
         for (const Index i : nodesOf(model.mesh, model.contactPairs[0].targetSides))
             lower += values.at(0, std::size_t(i))[2] / 4;
         EXPECT_NEAR(lower - upper, gap, 1e-3 * gap);
-        EXPECT_NEAR(solver->energies().contact, 0.5 * 100 * gap, 2e-3 * 50 * gap);
+        EXPECT_NEAR(solver->ledger().energies().contact, 0.5 * 100 * gap, 2e-3 * 50 * gap);
     }
 }
 
@@ -196,9 +196,9 @@ double worstBalance(const Model& model)
     for (int call = 0; call < 60; ++call) {
         solver->advance(1, 20);
         EXPECT_FALSE(solver->clock().failed);
-        worst = std::max(worst, std::abs(solver->energies().balance));
+        worst = std::max(worst, std::abs(solver->ledger().energies().balance));
     }
-    EXPECT_EQ(solver->pairForce(0).released, 0);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
     return worst;
 }
 
@@ -253,7 +253,7 @@ TEST(Contact, FrictionSlowsByItsCoefficientTimesTheNormalImpulse)
     const double normal = after[2] - before[2];
     EXPECT_GT(normal, 0);
     EXPECT_NEAR(after[0] - before[0], -mu * normal, 0.03 * mu * normal);
-    EXPECT_GT(solver->energies().friction, 0);
+    EXPECT_GT(solver->ledger().energies().friction, 0);
 }
 
 } // namespace

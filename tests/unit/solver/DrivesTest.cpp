@@ -25,7 +25,7 @@ std::vector<Index> rightEnd(const Mesh& mesh)
 double reaction(Solver& solver, const std::vector<Index>& nodes)
 {
     double sum = 0;
-    const NodeValues values = solver.nodeValues(nodes);
+    const NodeValues values = solver.nodes().values(nodes);
     for (std::size_t i = 0; i < values.count; ++i) sum -= values.at(3, i)[0];
     return sum;
 }
@@ -41,7 +41,7 @@ TEST(Drives, PrescribedDisplacementIsTrackedExactly)
     for (int call = 0; call < 40; ++call) {
         solver->advance(3e-5, 7);
         const double wanted = 0.02 * smooth(solver->clock().time);
-        const NodeValues values = solver->nodeValues(rightEnd(model.mesh));
+        const NodeValues values = solver->nodes().values(rightEnd(model.mesh));
         for (std::size_t i = 0; i < values.count; ++i)
             EXPECT_NEAR(values.at(0, i)[0] - 6, wanted, 1e-13);
     }
@@ -57,7 +57,7 @@ TEST(Drives, PrescribedVelocityIsThatOfTheMiddleOfTheStep)
     solver->advance(1e-5, 1000);
     // A linear ramp is integrated exactly by its mid-step values.
     for (const Index node : rightEnd(model.mesh))
-        EXPECT_NEAR(solver->nodeValues({node}).at(0, 0)[0] - 6, 500 * 1e-5 / 2, 1e-13);
+        EXPECT_NEAR(solver->nodes().values({node}).at(0, 0)[0] - 6, 500 * 1e-5 / 2, 1e-13);
 }
 
 TEST(Drives, ABodyDrivenFromTheStartIsNotStruck)
@@ -72,10 +72,10 @@ TEST(Drives, ABodyDrivenFromTheStartIsNotStruck)
         model.boundaryConditions.push_back(
             condition(kind, "drive", everyNode, {true, false, false}, {500, 0, 0}, amplitude));
         const auto solver = startedSolver(model);
-        EXPECT_NEAR(solver->energies().kinetic, energy, 1e-9 * energy);
+        EXPECT_NEAR(solver->ledger().energies().kinetic, energy, 1e-9 * energy);
         solver->advance(1e-6, 5);
-        EXPECT_NEAR(solver->energies().kinetic, energy, 1e-9 * energy);
-        EXPECT_NEAR(solver->energies().external, 0, 1e-9 * energy);
+        EXPECT_NEAR(solver->ledger().energies().kinetic, energy, 1e-9 * energy);
+        EXPECT_NEAR(solver->ledger().energies().external, 0, 1e-9 * energy);
     }
 }
 
@@ -94,9 +94,9 @@ TEST(Drives, ReactionEqualsTheLoadAtRest)
     // F L / (E A): 400 N over 4 mm2, 6 mm.
     const double stretch = 400.0 / 4 / 70000 * 6;
     for (const Index node : rightEnd(model.mesh))
-        EXPECT_NEAR(solver->nodeValues({node}).at(0, 0)[0] - 6, stretch, 5e-3 * stretch);
+        EXPECT_NEAR(solver->nodes().values({node}).at(0, 0)[0] - 6, stretch, 5e-3 * stretch);
     // Work of the load: all of it is stored or was damped.
-    EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-3);
 }
 
 TEST(Drives, DrivenEndNeedsTheForceOfTheBar)
@@ -111,24 +111,24 @@ TEST(Drives, DrivenEndNeedsTheForceOfTheBar)
     const auto solver = startedSolver(model);
     solver->advance(2e-4, 1000000);
     EXPECT_NEAR(reaction(*solver, pulled), 0.001 * 70000 * 4, 0.005 * 280);
-    EXPECT_NEAR(solver->energies().external,
-                solver->energies().internal + solver->energies().damping,
-                0.01 * solver->energies().external);
+    EXPECT_NEAR(solver->ledger().energies().external,
+                solver->ledger().energies().internal + solver->ledger().energies().damping,
+                0.01 * solver->ledger().energies().external);
 }
 
 TEST(Drives, LoadInProportionToTheMassIsGravity)
 {
     Model model = bar();
     const double g = 9810;
-    const SolverData data = makeSolverData(model);
+    const SolverSetUp data = makeSetUp(model);
     for (std::size_t i = 0; i < model.mesh.points.size(); ++i)
         model.boundaryConditions.push_back(condition(Kind::force, "weight", {Index(i)},
                                                      {false, false, true},
-                                                     {0, 0, -g * data.nodeMass[i]}));
+                                                     {0, 0, -g * data.nodes.mass[i]}));
     const auto solver = startedSolver(model);
     const double t = 1e-4;
     solver->advance(t, 1000000);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         EXPECT_NEAR(values.at(2, i)[2], -g, 1e-6 * g);
         EXPECT_NEAR(values.at(1, i)[2], -g * t, 1e-9 * g * t);
@@ -136,7 +136,7 @@ TEST(Drives, LoadInProportionToTheMassIsGravity)
     }
     EXPECT_LT(largestStress(*solver), 1e-6);
     // The kinetic energy 1/2 m v^(n-1/2) . v^(n+1/2) lacks (dt / 2 t)^2.
-    EXPECT_LT(std::abs(solver->energies().balance), 1e-6);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-6);
 }
 
 TEST(Drives, MassDampingSlowsAFreeBlock)
@@ -147,9 +147,9 @@ TEST(Drives, MassDampingSlowsAFreeBlock)
     const auto solver = startedSolver(model);
     solver->advance(1e-4, 1000000);
     const double expected = 1000 * std::exp(-1.0);
-    EXPECT_NEAR(solver->nodeValues({0}).at(1, 0)[0], expected, 1e-3 * expected);
+    EXPECT_NEAR(solver->nodes().values({0}).at(1, 0)[0], expected, 1e-3 * expected);
     // Damping is booked a step at a time: the ledger is exact to the order xi dt.
-    EXPECT_LT(std::abs(solver->energies().balance), 2e4 * solver->clock().step);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 2e4 * solver->clock().step);
 }
 
 } // namespace

@@ -54,8 +54,8 @@ std::uint64_t checksumOf(Model model, int threads, const char* simd)
     const auto solver = startedSolver(model);
     solver->advance(1, 150);
     EXPECT_FALSE(solver->clock().failed);
-    EXPECT_GT(solver->energies().plastic, 0);
-    return solver->stateChecksum();
+    EXPECT_GT(solver->ledger().energies().plastic, 0);
+    return stateChecksum(*solver);
 }
 
 TEST_P(ElementKinds, VectorWidthAndThreadsDoNotChangeTheState)
@@ -97,13 +97,13 @@ TEST_P(ElementKinds, ADistortedMeshHasUniformStressAtFiniteStrain)
     solver->advance(time, 1000);
     ASSERT_FALSE(solver->clock().failed);
     EXPECT_EQ(solver->clock().steps, 200);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     double spread = 0;
     for (std::size_t i = 6; i < stress.size(); ++i)
         spread = std::max(spread, std::abs(stress[i] - stress[i % 6]));
     EXPECT_LT(spread, 1e-10 * largestStress(*solver));
     double inner = 0;
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         bool outside = false;
         for (const double x : model.mesh.points[i]) outside |= x < 0.01 || x > 0.99;
@@ -127,7 +127,7 @@ TEST_P(ElementKinds, AFreeBlockThatVibratesAndTurnsKeepsItsEnergy)
     const auto solver = startedSolver(model, true);
     solver->advance(1, 3000);
     ASSERT_FALSE(solver->clock().failed);
-    EXPECT_LT(std::abs(solver->energies().balance), 2e-3);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 2e-3);
 }
 
 std::string kindName(const testing::TestParamInfo<Kind>& info)
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ElementKinds, testing::ValuesIn(kinds), kindName
 TEST(ElementMemory, HoldsOnlyWhatThePartKeeps)
 {
     const auto bytes = [](PartKind law, HourglassForm form) {
-        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, aluminium(law, form)))->deviceBytes();
+        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, aluminium(law, form)))->fields().bytes();
     };
     const std::size_t stiffness = bytes(PartKind::elastoplastic, HourglassForm::stiffness);
     EXPECT_EQ(stiffness - bytes(PartKind::elastoplastic, HourglassForm::viscous), 16 * 12 * 8u);
@@ -153,7 +153,7 @@ TEST(ElementMemory, ASelectiveElementHoldsEightStressesAndEightPlasticStrains)
     const auto bytes = [](HexahedronForm form) {
         Part part = aluminium(PartKind::elastoplastic, HourglassForm::viscous);
         part.hexahedron = form;
-        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->deviceBytes();
+        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->fields().bytes();
     };
     EXPECT_EQ(bytes(HexahedronForm::selective) - bytes(HexahedronForm::reduced), 16 * 7 * 7 * 8u);
 }

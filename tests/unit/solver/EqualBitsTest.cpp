@@ -27,7 +27,7 @@ checksumOf(Model model, const std::string& backend, int threads, const char* sim
     solver->advance(1, steps);
     EXPECT_EQ(solver->clock().steps, steps);
     EXPECT_FALSE(solver->clock().failed);
-    return solver->stateChecksum();
+    return stateChecksum(*solver);
 }
 
 bool hasAvx512()
@@ -45,9 +45,9 @@ TEST_P(EqualBits, TheSceneTouchesSlidesAndYieldsInSeveralPatches)
     EXPECT_GE(model.mesh.patchStarts.size(), 9u);
     const auto solver = startedSolver(model);
     solver->advance(1, 200);
-    EXPECT_GT(solver->pairForce(0).active, 0);
-    EXPECT_GT(solver->energies().friction, 0);
-    EXPECT_GT(solver->energies().plastic, 0);
+    EXPECT_GT(solver->contact().force(0).active, 0);
+    EXPECT_GT(solver->ledger().energies().friction, 0);
+    EXPECT_GT(solver->ledger().energies().plastic, 0);
 }
 
 TEST_P(EqualBits, VectorWidthDoesNotChangeTheState)
@@ -85,7 +85,7 @@ TEST_P(EqualBits, AChangeOfThreadsDuringTheRunDoesNotChangeTheState)
         solver->advance(1, 30);
         EXPECT_EQ(solver->times().threads, std::min(threads, 3));
     }
-    EXPECT_EQ(solver->stateChecksum(), serial);
+    EXPECT_EQ(stateChecksum(*solver), serial);
 }
 
 /// Nodes that are held or touch are none of those that patches move themselves.
@@ -94,10 +94,10 @@ TEST_P(EqualBits, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
     const Model model = impact(GetParam());
     Model gather = model;
     gather.control.assembly = Assembly::gather;
-    const SolverData data = makeSolverData(model);
-    EXPECT_TRUE(data.sharesNodes);
-    EXPECT_GT(data.nodeCount, Index(data.listedNodes.size()) + 30);
-    EXPECT_FALSE(makeSolverData(gather).sharesNodes);
+    const SolverSetUp data = makeSetUp(model);
+    EXPECT_TRUE(data.nodes.movedByPatches);
+    EXPECT_GT(data.nodes.count, Index(data.nodes.listed.size()) + 30);
+    EXPECT_FALSE(makeSetUp(gather).nodes.movedByPatches);
     const int steps = 150;
     const std::uint64_t expected = checksumOf(gather, "serial", 1, "scalar", steps);
     for (const char* simd : {"scalar", "avx2", "avx512"}) {
@@ -114,10 +114,10 @@ TEST_P(EqualBits, PausesOfTheHostDoNotChangeTheState)
     const auto solver = startedSolver(model);
     for (int call = 0; call < 16; ++call) {
         solver->advance(1, 25);
-        solver->energies();
-        solver->nodeValues({});
+        solver->ledger().energies();
+        solver->nodes().values({});
     }
-    EXPECT_EQ(solver->stateChecksum(), checksumOf(model, "serial", 1, "auto"));
+    EXPECT_EQ(stateChecksum(*solver), checksumOf(model, "serial", 1, "auto"));
 }
 
 /// Two passes; all bodies against all; a part that folds on itself.
@@ -142,7 +142,7 @@ TEST_P(EqualBits, HoldForTheOtherKindsOfContact)
         Index touched = 0;
         for (int call = 0; call < steps / 10; ++call) {
             solver->advance(1, 10);
-            touched = std::max(touched, solver->pairForce(0).active);
+            touched = std::max(touched, solver->contact().force(0).active);
         }
         EXPECT_GT(touched, 0);
         const std::uint64_t scalar = checksumOf(model, "serial", 1, "scalar", steps);
@@ -173,7 +173,7 @@ TEST(EqualBitsAcrossPrecisions, TheyDifferFromEachOtherButNotByMuch)
         const auto solver = startedSolver(impact(precision));
         solver->advance(5e-6, 100000);
         double sum = 0;
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         for (std::size_t i = 0; i < values.count; ++i) sum += values.at(0, i)[2];
         height.push_back(sum / double(values.count));
     }

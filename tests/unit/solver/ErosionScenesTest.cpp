@@ -43,7 +43,7 @@ Model punch(bool half, double friction)
 
 std::ptrdiff_t deletedIn(Solver& solver)
 {
-    return std::ranges::count(solver.elementValues().deleted, true);
+    return std::ranges::count(solver.elements().values().deleted, true);
 }
 
 /// Surfaces renewed where elements were deleted go on at the plane of symmetry as they did before.
@@ -59,14 +59,14 @@ TEST(Mirror, HalfTheModelErodesAsTheWholeOneDoes)
             ASSERT_FALSE(whole->clock().failed || half->clock().failed);
             ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-6 * whole->clock().time);
             ASSERT_EQ(2 * deletedIn(*half), deletedIn(*whole)) << "look " << sample;
-            const Point a = whole->pairForce(0).force, b = half->pairForce(0).force;
+            const Point a = whole->contact().force(0).force, b = half->contact().force(0).force;
             most = std::max(most, std::abs(a[2]));
             apart = std::max(apart, std::abs(2 * b[2] - a[2]));
         }
         EXPECT_GT(deletedIn(*whole), 16);
         EXPECT_LT(apart, 1e-10 * most) << "friction " << friction;
-        EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
-                    1e-10 * whole->energies().friction);
+        EXPECT_NEAR(2 * half->ledger().energies().friction, whole->ledger().energies().friction,
+                    1e-10 * whole->ledger().energies().friction);
     }
 }
 
@@ -89,17 +89,17 @@ TEST(Erosion, ForcesOfContactorsThatHaveLeftCountNoMore)
     for (const double friction : {0.0, 0.2}) {
         model.contactPairs[0].friction = friction;
         const auto solver = startedSolver(model);
-        const double whole = solver->pairForce(0).force[2];
-        EXPECT_EQ(solver->pairForce(0).active, 12);
+        const double whole = solver->contact().force(0).force[2];
+        EXPECT_EQ(solver->contact().force(0).active, 12);
         while (solver->clock().deletions == 0 && solver->clock().time < 8e-5)
             solver->advance(9e-5, 1);
-        ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
-        const PairForce renewed = solver->pairForce(0);
+        ASSERT_EQ(std::ranges::count(solver->elements().values().deleted, true), 1);
+        const PairForce renewed = solver->contact().force(0);
         EXPECT_EQ(renewed.active, 6);
         EXPECT_NEAR(renewed.force[2], 0.5 * whole, 1e-9 * whole);
         solver->advance(9e-5, 1);
         for (std::size_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(solver->pairForce(0).force[c], renewed.force[c], 1e-9 * whole);
+            EXPECT_NEAR(solver->contact().force(0).force[c], renewed.force[c], 1e-9 * whole);
     }
 }
 

@@ -1,6 +1,5 @@
-#include "solver/Erosion.h"
-
 #include "kernels/contact/ContactPassView.h"
+#include "solver/contact/SurfaceErosion.h"
 #include "unit/solver/kindScenes.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +61,7 @@ TEST(ErosionSurfaces, WhatADeletedElementCoveredJoinsTheSurface)
 {
     Model model = layers(1e5, 0.1);
     const Mesh& mesh = model.mesh;
-    const Erosion erosion(model);
+    const SurfaceErosion erosion(model);
     std::vector<bool> deleted(mesh.hexahedra.size(), false);
     const std::vector<ElementSide> top = facing(mesh, "plate", {0, 0, 1});
     EXPECT_EQ(erosion.renewedSides(top, deleted), top);
@@ -97,25 +96,25 @@ TEST(ErosionSurfaces, WhatADeletedElementCoveredJoinsTheSurface)
 TEST(ErosionSurfaces, OnlyWhatChangedIsTakenAnew)
 {
     Model model = layers(1e5, 0.1);
-    SolverData data = makeSolverData(model);
-    Erosion erosion(model);
+    SolverSetUp data = makeSetUp(model);
+    SurfaceErosion erosion(model);
     std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
     EXPECT_FALSE(erosion.renewContact(data, deleted));
-    const ContactPassSetup before = data.passes[0];
+    const ContactPassSetup before = data.contact.passes[0];
     deleted[std::size_t(elementAt(model.mesh, {-0.5, -0.5, -0.25}))] = true;
     EXPECT_TRUE(erosion.renewContact(data, deleted));
     EXPECT_FALSE(erosion.renewContact(data, deleted));
-    const PairRenewal renewal = compared(before, data.passes[0]);
-    EXPECT_EQ(data.passes[0].faceThickness.size(), before.faceThickness.size() + 4);
+    const PassRenewal renewal = compared(before, data.contact.passes[0]);
+    EXPECT_EQ(data.contact.passes[0].faceThickness.size(), before.faceThickness.size() + 4);
     EXPECT_EQ(std::ranges::count(renewal.face, -1), 1);
     for (std::size_t i = 0; i < renewal.contactor.size(); ++i)
         EXPECT_EQ(renewal.contactor[i], Index(i));
     // A surface of which nothing is left has no contactors.
-    for (Index e = 0; e < data.elementCount; ++e)
+    for (Index e = 0; e < data.elements.count; ++e)
         if (model.mesh.partOf(e) == model.mesh.findPart("plate")) deleted[std::size_t(e)] = true;
     EXPECT_TRUE(erosion.renewContact(data, deleted));
-    EXPECT_TRUE(data.passes[0].contactor.empty());
-    EXPECT_FALSE(data.passes[1].contactor.empty());
+    EXPECT_TRUE(data.contact.passes[0].contactor.empty());
+    EXPECT_FALSE(data.contact.passes[1].contactor.empty());
 }
 
 TEST(ErosionSurfaces, PlanesOfSymmetryStay)
@@ -126,16 +125,17 @@ TEST(ErosionSurfaces, PlanesOfSymmetryStay)
                   nodesWhere(model.mesh, [](Point p) { return std::abs(p[0] - 3) < 1e-9; }),
                   {true, false, false}));
     model.boundaryConditions.back().mirror = true;
-    SolverData data = makeSolverData(model);
+    SolverSetUp data = makeSetUp(model);
     const auto mirrored = [](const ContactPassSetup& pair) {
         return std::ranges::count(pair.neighbour, mirrorEdge(0));
     };
-    EXPECT_EQ(mirrored(data.passes[0]), 6); // of the plate's top
-    Erosion erosion(model);
+    EXPECT_EQ(mirrored(data.contact.passes[0]), 6); // of the plate's top
+    SurfaceErosion erosion(model);
     std::vector<bool> deleted(model.mesh.hexahedra.size(), false);
     deleted[std::size_t(elementAt(model.mesh, {2.5, -0.5, -0.25}))] = true; // on the plane
     EXPECT_TRUE(erosion.renewContact(data, deleted));
-    EXPECT_EQ(mirrored(data.passes[0]), 6 + 2); // its side is replaced by a floor and two walls
+    EXPECT_EQ(mirrored(data.contact.passes[0]),
+              6 + 2); // its side is replaced by a floor and two walls
 }
 
 // The stamp goes through the plate, whose elements disappear one after the other, and lands on the
@@ -144,29 +144,29 @@ TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
 {
     const Model model = layers(4e5, 0.3);
     const auto solver = startedSolver(model);
-    const std::size_t faces = solver->data().passes[0].faceThickness.size();
+    const std::size_t faces = solver->contact().setUp().passes[0].faceThickness.size();
     double worst = 0, early = 0, late = 0, base = 0;
     const std::vector<Index> stamp = nodesOfPart(model.mesh, "stamp");
     const double start = momentum(*solver, stamp)[2];
     for (int call = 0; call < 200 && !solver->clock().failed; ++call) {
         solver->advance(2.5e-5, 10);
-        worst = std::max(worst, std::abs(solver->energies().balance));
-        const double force = solver->pairForce(0).force[2];
+        worst = std::max(worst, std::abs(solver->ledger().energies().balance));
+        const double force = solver->contact().force(0).force[2];
         if (solver->clock().deletions == 0)
             early = std::max(early, force);
         else
             late = std::max(late, force);
-        base = std::max(base, solver->pairForce(1).force[2]);
+        base = std::max(base, solver->contact().force(1).force[2]);
     }
     ASSERT_FALSE(solver->clock().failed);
     EXPECT_GT(solver->clock().deletions, 0);
     EXPECT_GT(early, 0);
     EXPECT_GT(late, 0.1 * early); // contact with the plate goes on after the first deletion
     EXPECT_GT(base, 0);
-    EXPECT_NE(solver->data().passes[0].faceThickness.size(), faces);
+    EXPECT_NE(solver->contact().setUp().passes[0].faceThickness.size(), faces);
     EXPECT_GT(momentum(*solver, stamp)[2], start);
     EXPECT_LT(worst, 0.01);
-    const ElementValues values = solver->elementValues();
+    const ElementValues values = solver->elements().values();
     double eroded = 0;
     int rows[2] = {0, 0};
     for (std::size_t e = 0; e < values.deleted.size(); ++e) {
@@ -180,7 +180,7 @@ TEST(Erosion, AStampGoesThroughAPlateAndLandsOnTheBase)
         for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(values.stress[6 * e + k], 0);
     }
     EXPECT_GT(eroded, 0);
-    EXPECT_LT(eroded, solver->energies().internal);
+    EXPECT_LT(eroded, solver->ledger().energies().internal);
     EXPECT_GT(rows[0], 0);
     EXPECT_GT(rows[1], 0);
 }
@@ -192,11 +192,11 @@ TEST(Erosion, WhoMovesTheNodesOfAPatchDoesNotChangeTheState)
     const auto patch = startedSolver(model);
     model.control.assembly = Assembly::gather;
     const auto gather = startedSolver(model);
-    const std::size_t listed = patch->data().listedNodes.size();
+    const std::size_t listed = patch->nodes().setUp().listed.size();
     patch->advance(1, 800);
     gather->advance(1, 800);
-    EXPECT_GT(patch->data().listedNodes.size(), listed);
-    EXPECT_EQ(patch->stateChecksum(), gather->stateChecksum());
+    EXPECT_GT(patch->nodes().setUp().listed.size(), listed);
+    EXPECT_EQ(stateChecksum(*patch), stateChecksum(*gather));
 }
 
 TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
@@ -218,7 +218,7 @@ TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
     solver->advance(9e-5, 1000000);
     EXPECT_FALSE(solver->clock().failed);
     EXPECT_GE(solver->clock().elementStep, first);
-    const ElementValues values = solver->elementValues();
+    const ElementValues values = solver->elements().values();
     EXPECT_EQ(std::ranges::count(values.deleted, true), 1);
 }
 
@@ -243,15 +243,15 @@ TEST(Erosion, FacesMayBecomeAlike)
                facing(model.mesh, "box", {0, 0, 1}));
     model.control.backend = "serial";
     const auto solver = startedSolver(model);
-    EXPECT_TRUE(solver->data().passes[0].unequalFaces);
+    EXPECT_TRUE(solver->contact().setUp().passes[0].unequalFaces);
     solver->advance(1, 2);
-    const PairForce before = solver->pairForce(0);
+    const PairForce before = solver->contact().force(0);
     EXPECT_EQ(before.active, 9);
     solver->advance(9e-5, 1000000);
-    ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
-    EXPECT_FALSE(solver->data().passes[0].unequalFaces);
-    EXPECT_EQ(solver->pairForce(0).active, 9);
-    EXPECT_NEAR(solver->pairForce(0).force[2], before.force[2], 1e-9 * before.force[2]);
+    ASSERT_EQ(std::ranges::count(solver->elements().values().deleted, true), 1);
+    EXPECT_FALSE(solver->contact().setUp().passes[0].unequalFaces);
+    EXPECT_EQ(solver->contact().force(0).active, 9);
+    EXPECT_NEAR(solver->contact().force(0).force[2], before.force[2], 1e-9 * before.force[2]);
 }
 
 /// `layers` in general contact with friction and damping.
@@ -281,7 +281,7 @@ TEST(Erosion, GoesOnInGeneralContactWithFriction)
         int byBody = 0; // deletions while the rigid body bounds the step
         for (int call = 0; call < 400 && !solver->clock().failed; ++call) {
             solver->advance(2.5e-5, 1);
-            const Energies e = solver->energies();
+            const Energies e = solver->ledger().energies();
             EXPECT_LT(std::abs(e.balance), 0.01);
             // Lagged by half a step damping may give back a little, never what is booked.
             EXPECT_GE(e.friction, 0.999 * friction);
@@ -289,7 +289,7 @@ TEST(Erosion, GoesOnInGeneralContactWithFriction)
             friction = e.friction;
             damping = e.contactDamping;
             // The bound of the next step is that of the contact springs of now, bodies included.
-            const ContactBound limit = solver->contactLimit();
+            const ContactBound limit = solver->contact().bound();
             const bool renewed = solver->clock().deletions != deletions;
             byBody += renewed && limit.part == 2;
             deletions = solver->clock().deletions;
@@ -329,21 +329,21 @@ TEST(Erosion, GoesOnAgainstAMovingPlane)
     model.rigidSurfaces = {plane};
     model.control.backend = "serial";
     const auto solver = startedSolver(model);
-    const std::size_t rows = solver->data().amplitudeRows.size(),
-                      contactors = solver->data().passes[0].contactor.size();
+    const std::size_t rows = solver->nodes().setUp().amplitudeRows.size(),
+                      contactors = solver->contact().setUp().passes[0].contactor.size();
     double work = 0;
     for (int call = 0; call < 100 && solver->clock().time < 4e-5; ++call) {
         solver->advance(4e-5, 10);
         ASSERT_FALSE(solver->clock().failed);
-        const Energies e = solver->energies();
+        const Energies e = solver->ledger().energies();
         EXPECT_LT(std::abs(e.balance), 0.01);
         EXPECT_GE(e.external, 0.99 * work); // it never springs back much
         work = e.external;
     }
     EXPECT_GT(solver->clock().deletions, 0);
-    EXPECT_EQ(solver->data().surfaces.size(), 1u);
-    EXPECT_EQ(solver->data().amplitudeRows.size(), rows);
-    EXPECT_NE(solver->data().passes[0].contactor.size(), contactors);
+    EXPECT_EQ(solver->contact().setUp().surfaces.size(), 1u);
+    EXPECT_EQ(solver->nodes().setUp().amplitudeRows.size(), rows);
+    EXPECT_NE(solver->contact().setUp().passes[0].contactor.size(), contactors);
     EXPECT_GT(work, 0);
 }
 
@@ -367,17 +367,17 @@ TEST(Erosion, PressureEndsWithTheElementItActsOn)
     const auto load = [&] { // on the two upper nodes of the left end; no contact
         const auto nodes =
             nodesWhere(model.mesh, [](Point p) { return p[0] < 1e-9 && p[2] > 0.99; });
-        const NodeValues values = solver->nodeValues(nodes);
+        const NodeValues values = solver->nodes().values(nodes);
         return values.at(3, 0)[2] + values.at(3, 1)[2];
     };
     EXPECT_NEAR(load(), -2.5, 1e-9);
     solver->advance(9e-5, 1000000);
-    ASSERT_EQ(std::ranges::count(solver->elementValues().deleted, true), 1);
+    ASSERT_EQ(std::ranges::count(solver->elements().values().deleted, true), 1);
     EXPECT_EQ(load(), 0);
     EXPECT_NEAR(
-        solver
-            ->nodeValues(nodesWhere(
-                model.mesh, [](Point p) { return p[0] > 1.99 && p[1] < 0.01 && p[2] > 0.99; }))
+        solver->nodes()
+            .values(nodesWhere(model.mesh,
+                               [](Point p) { return p[0] > 1.99 && p[1] < 0.01 && p[2] > 0.99; }))
             .at(3, 0)[2],
         -1.25, 0.3); // the right one still has it
 }

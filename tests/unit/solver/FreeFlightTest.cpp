@@ -10,14 +10,14 @@ namespace {
 Point midStepAngularMomentum(Solver& solver)
 {
     const std::vector<Point> v = halfStepVelocities(solver);
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     const double half = 0.5 * solver.clock().step;
     Point sum{0, 0, 0};
     for (std::size_t i = 0; i < v.size(); ++i) {
         // Positions at the time of the velocities, half a step back.
         Point x = values.at(0, i);
         for (std::size_t c = 0; c < 3; ++c) x[c] -= half * v[i][c];
-        const double m = solver.data().nodeMass[i];
+        const double m = solver.nodes().setUp().mass[i];
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t a = (c + 1) % 3, b = (c + 2) % 3;
             sum[c] += m * (x[a] * v[i][b] - x[b] * v[i][a]);
@@ -46,7 +46,7 @@ TEST(FreeFlight, TranslationLeavesNoStressAndKeepsMomentum)
         // Coordinates of the flight (40 mm) are rounded to 4e-15, strain to 1e-15 a step.
         EXPECT_LT(largestStress(*solver), 1e-6 * 285);
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(after[c], before[c], 1e-12 * 1e5);
-        EXPECT_NEAR(solver->energies().balance, 0, 1e-12);
+        EXPECT_NEAR(solver->ledger().energies().balance, 0, 1e-12);
     }
 }
 
@@ -69,7 +69,7 @@ TEST(FreeFlight, SpinningBlockIsStretchedByItsSpinOnlyAndKeepsItsMomenta)
     // Centrifugal stress is of the order rho (omega r)^2, twice that while the block breathes.
     const double centrifugal = 2.7e-9 * std::pow(spin * 2 * std::sqrt(2.0), 2);
     EXPECT_LT(largestStress(*solver), 3 * centrifugal);
-    EXPECT_NEAR(solver->energies().balance, 0, 1e-4);
+    EXPECT_NEAR(solver->ledger().energies().balance, 0, 1e-4);
 
     // A quarter of a turn takes (4, 2) to (2, 4), up to the centrifugal stretch.
     Index corner = 0;
@@ -77,7 +77,7 @@ TEST(FreeFlight, SpinningBlockIsStretchedByItsSpinOnlyAndKeepsItsMomenta)
         const Point& p = model.mesh.points[i];
         if (p[0] > 3.99 && std::abs(p[1] - 2) < 0.01 && p[2] < 0.01) corner = Index(i);
     }
-    const Point at = solver->nodeValues({corner}).at(0, 0);
+    const Point at = solver->nodes().values({corner}).at(0, 0);
     EXPECT_NEAR(at[0], 2, 1e-3);
     EXPECT_NEAR(at[1], 4, 1e-3);
 }
@@ -93,12 +93,12 @@ TEST(TwoBodyImpact, KeepsLinearMomentum)
     double strongest = 0;
     for (int call = 0; call < 30; ++call) {
         solver->advance(1, 20);
-        strongest = std::max(strongest, solver->pairForce(0).force[2]);
+        strongest = std::max(strongest, solver->contact().force(0).force[2]);
         const Point after = momentum(*solver);
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(after[c], before[c], 1e-12 * scale);
     }
     EXPECT_GT(strongest, 0);
-    EXPECT_EQ(solver->pairForce(0).released, 0);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
 }
 
 } // namespace

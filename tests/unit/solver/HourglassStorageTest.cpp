@@ -37,13 +37,13 @@ std::uint64_t checksumOf(Model model, int threads, const char* simd, int pauses 
     const auto solver = startedSolver(model);
     for (int pause = 0; pause < pauses; ++pause) {
         solver->advance(1, 200 / pauses);
-        solver->elementValues();
+        solver->elements().values();
     }
     EXPECT_EQ(solver->clock().steps, 200);
     EXPECT_FALSE(solver->clock().failed);
-    EXPECT_GT(solver->energies().hourglass, 0);
-    EXPECT_GT(solver->energies().plastic, 0);
-    return solver->stateChecksum();
+    EXPECT_GT(solver->ledger().energies().hourglass, 0);
+    EXPECT_GT(solver->ledger().energies().plastic, 0);
+    return stateChecksum(*solver);
 }
 
 TEST(HourglassStorage, FloatIsTheSameBitsInEveryWidthOnAnyThreadsAndWithPauses)
@@ -88,7 +88,7 @@ TEST(HourglassStorage, FloatTakesHalfTheMemoryOfTheForces)
     const auto bytes = [](HourglassForm form, HourglassStorage storage) {
         Part part = aluminium(PartKind::elastoplastic, form);
         part.hourglassStorage = storage;
-        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->deviceBytes();
+        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->fields().bytes();
     };
     for (const HourglassForm form : {HourglassForm::physical, HourglassForm::stiffness})
         EXPECT_EQ(bytes(form, HourglassStorage::full) - bytes(form, HourglassStorage::float_),
@@ -114,9 +114,9 @@ double workOfBending(HourglassForm form, HourglassStorage storage, int steps)
     solver->advance(time, steps + 10);
     EXPECT_EQ(solver->clock().steps, steps);
     if (form == HourglassForm::physical) {
-        EXPECT_GT(solver->energies().plastic, 0);
+        EXPECT_GT(solver->ledger().energies().plastic, 0);
     }
-    const Energies energies = solver->energies();
+    const Energies energies = solver->ledger().energies();
     return form == HourglassForm::physical ? energies.internal : energies.hourglass;
 }
 

@@ -1,4 +1,4 @@
-#include "solver/IdleCores.h"
+#include "solver/backend/IdleCores.h"
 
 #include <gtest/gtest.h>
 

@@ -33,10 +33,11 @@ TEST(InitialDepth, IsHeldInTheRunWhereSetUpSaysSo)
                 const Model model = blockInPlate(depth, layers, slant);
                 const InitialDepths depths = initialDepths(model.mesh, model.mesh.contact.front());
                 const auto solver = startedSolver(model);
-                EXPECT_EQ(std::size_t(solver->initialOverlap(0).count), depths.held.size())
+                EXPECT_EQ(std::size_t(solver->contact().initialOverlap(0).count),
+                          depths.held.size())
                     << depth << " in " << layers << " layers, slant " << slant;
                 EXPECT_EQ(depths.held.size() + depths.tooDeep.size(), 20u);
-                EXPECT_EQ(solver->energies().contact > 0, !depths.held.empty());
+                EXPECT_EQ(solver->ledger().energies().contact > 0, !depths.held.empty());
             }
 }
 

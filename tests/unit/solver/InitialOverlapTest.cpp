@@ -54,7 +54,7 @@ TEST(InitialOverlap, IsReportedWithItsNumberDepthAndPlace)
 {
     const Model model = rodInGroove(InitialOverlap::report);
     const auto solver = startedSolver(model);
-    const PairOverlap overlap = solver->initialOverlap(0);
+    const PairOverlap overlap = solver->contact().initialOverlap(0);
     EXPECT_GE(overlap.count, 10);
     // A node on the arc lies at most the sagitta of a facet of the die behind it.
     const double sagitta = 5 * (1 - std::cos(0.6 / 14));
@@ -68,9 +68,10 @@ TEST(InitialOverlap, PushesTheBodiesApartUnlessItIsForgiven)
 {
     const auto pushed = startedSolver(rodInGroove(InitialOverlap::report));
     const auto forgiven = startedSolver(rodInGroove(InitialOverlap::offset));
-    EXPECT_GT(pushed->energies().contact, 0);
-    EXPECT_EQ(forgiven->energies().contact, 0);
-    EXPECT_EQ(forgiven->initialOverlap(0).count, pushed->initialOverlap(0).count);
+    EXPECT_GT(pushed->ledger().energies().contact, 0);
+    EXPECT_EQ(forgiven->ledger().energies().contact, 0);
+    EXPECT_EQ(forgiven->contact().initialOverlap(0).count,
+              pushed->contact().initialOverlap(0).count);
     pushed->advance(3e-6, 100000);
     forgiven->advance(3e-6, 100000);
     EXPECT_GT(largestSpeed(*pushed), 10);
@@ -99,27 +100,27 @@ TEST(InitialOverlap, OffsetHoldsWhatPressesOnAndDecaysAsTheGapOpens)
     const auto solver = startedSolver(model);
     const double stiffness = 4 * 70000.0 / 3;
     solver->advance(1e-6, 100000);
-    EXPECT_NEAR(solver->pairForce(0).force[2], stiffness * 0.01, 1e-6 * stiffness);
+    EXPECT_NEAR(solver->contact().force(0).force[2], stiffness * 0.01, 1e-6 * stiffness);
     solver->advance(3e-6, 100000);
-    EXPECT_EQ(solver->pairForce(0).force[2], 0);
+    EXPECT_EQ(solver->contact().force(0).force[2], 0);
     solver->advance(5e-6, 100000); // of the 0.02, 0.01 is still forgiven
-    EXPECT_NEAR(solver->pairForce(0).force[2], stiffness * 0.02, 1e-3 * stiffness * 0.02);
+    EXPECT_NEAR(solver->contact().force(0).force[2], stiffness * 0.02, 1e-3 * stiffness * 0.02);
 }
 
 TEST(InitialOverlap, RampBringsTheForceGentlyAndBooksItsWork)
 {
     const auto ramp = startedSolver(rodInGroove(InitialOverlap::ramp, 2e-5));
     const auto report = startedSolver(rodInGroove(InitialOverlap::report));
-    EXPECT_EQ(ramp->pairForce(0).active, 0);
+    EXPECT_EQ(ramp->contact().force(0).active, 0);
     double fastest = 0, pushed = 0;
     while (ramp->clock().time < 2.5e-5) {
         ramp->advance(2.5e-5, 20);
         report->advance(2.5e-5, 20);
         fastest = std::max(fastest, largestSpeed(*ramp));
         pushed = std::max(pushed, largestSpeed(*report));
-        EXPECT_LT(std::abs(ramp->energies().balance), 0.01);
+        EXPECT_LT(std::abs(ramp->ledger().energies().balance), 0.01);
     }
-    EXPECT_GT(ramp->energies().external, 0);
+    EXPECT_GT(ramp->ledger().energies().external, 0);
     EXPECT_GT(fastest, 0);
     EXPECT_LT(fastest, 0.3 * pushed);
 }
@@ -149,9 +150,9 @@ TEST(InitialOverlap, NodesThatEnterOverAnEdgeGetNoForceFromTheirDepth)
     const auto solver = startedSolver(cameInSideways());
     while (solver->clock().time < 3e-6) {
         solver->advance(3e-6, 10);
-        EXPECT_NEAR(solver->energies().contact, 0, 1e-9);
+        EXPECT_NEAR(solver->ledger().energies().contact, 0, 1e-9);
     }
-    EXPECT_GE(solver->pairForce(0).inside, 4);
+    EXPECT_GE(solver->contact().force(0).inside, 4);
 }
 
 /// While depths fade, what comes in fades with them: it starts without force, has all of it at the
@@ -168,15 +169,15 @@ TEST(InitialOverlap, WhatIsFirstFoundInsideInMidRampFadesWithTheRest)
     double foundAt = 0;
     while (solver->clock().time < 3e-6) {
         solver->advance(3e-6, 1);
-        const Energies e = solver->energies();
-        const std::int64_t inside = solver->pairForce(0).inside;
+        const Energies e = solver->ledger().energies();
+        const std::int64_t inside = solver->contact().force(0).inside;
         if (inside > found) foundAt = e.time;
         jump = std::max(jump, std::abs(e.contact - last));
         last = e.contact;
         found = inside;
         EXPECT_NEAR(e.external, e.total - e.kinetic, 1e-3 * 0.01 * 70000.0 / 3) << e.time;
     }
-    const PairForce end = solver->pairForce(0);
+    const PairForce end = solver->contact().force(0);
     EXPECT_GT(foundAt, 4e-7);
     EXPECT_LT(foundAt, 2e-6);
     ASSERT_EQ(end.active, 4);

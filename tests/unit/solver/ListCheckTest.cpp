@@ -1,5 +1,5 @@
 #include "parallel/CpuExecutor.h"
-#include "solver/SearchState.h"
+#include "solver/contact/launchLists.h"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +9,22 @@ namespace fpm {
 namespace {
 
 /// All nodes are contact nodes.
-void numberNodes(SolverData& data, Index count)
+void numberNodes(SolverSetUp& data, Index count)
 {
-    for (Index node = 0; node < count; ++node) data.contactNumber.push_back(node);
+    for (Index node = 0; node < count; ++node) {
+        data.contact.nodes.push_back(node);
+        data.contact.numberOf.push_back(node);
+    }
 }
 
 /// Four surfaces of `blocks` blocks of contact nodes each; 0 on 1, and 2 on 3.
-SolverData twoPairs(double reach, Index blocks)
+SolverSetUp twoPairs(double reach, Index blocks)
 {
-    SolverData data;
-    data.passes.resize(2);
-    const Index size = blocks * displacementBlock;
+    SolverSetUp data;
+    data.contact.passes.resize(2);
+    const Index size = blocks * contactBlock;
     for (Index pair = 0; pair < 2; ++pair) {
-        ContactPassSetup& p = data.passes[std::size_t(pair)];
+        ContactPassSetup& p = data.contact.passes[std::size_t(pair)];
         p.reach = reach;
         p.nodeCount = size;
         for (Index i = 0; i < size; ++i) {
@@ -38,16 +41,16 @@ SolverData twoPairs(double reach, Index blocks)
 class ListChecks
 {
 public:
-    ListChecks(const SolverData& data, NearBlocks::Positions positions)
+    ListChecks(const SolverSetUp& data, NearBlocks::Positions positions)
         : positions_(std::move(positions)),
-          near_(data)
+          near_(data),
+          fields_(std::make_unique<ContactFields>(data.contact, hostMemory(), NumberTypes{}))
     {
-        for (const NearBlocks::Pass& pass : near_.passes()) states_.emplace_back(pass);
-        passes_ = Array<PassListState, Executor>(states_.size());
+        fields_->renewLists(near_);
         clock_.stop = 1e9;
         clock_.step = 1;
         rules.growth = 1;
-        for (std::size_t pass = 0; pass < states_.size(); ++pass) arrange(pass);
+        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) rebuild(pass);
     }
 
     /// "0: all", "1: 0 2" for the passes that are due and their blocks. Displacements and speeds of
@@ -60,21 +63,24 @@ public:
             displacements.push_back(speeds[block] * speeds[block]);
             displacements.push_back(rounding * rounding);
         }
+        fields_->referenceDisplacement.fromHost(displacements);
         std::vector<ListCheck> checks;
-        for (std::size_t pass = 0; pass < states_.size(); ++pass)
-            checks.push_back(states_[pass].check(displacements.data(), passes_.data() + pass,
-                                                 &late_, rules, 10, &clock_));
-        checkLists(executor_, checks, passes_.data(), &clock_);
+        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass)
+            checks.push_back(
+                listCheck(*fields_->passLists[pass], *fields_, pass, &late_, rules, 10, &clock_));
+        for (const ListCheck& check : checks) checkPass(executor_, check);
+        executor_.parallelFor(
+            1, ListCheckResult{fields_->lists.data(), Index(near_.passes().size()), &clock_});
         std::ostringstream text;
-        for (std::size_t pass = 0; pass < states_.size(); ++pass) {
-            const PassListState& found = passes_.data()[pass];
-            if (!found.whole && found.due == 0) continue;
+        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) {
+            const PassListState& found = fields_->lists.data()[pass];
+            if (!found.rebuild && found.due == 0) continue;
             text << (text.tellp() > 0 ? ", " : "") << pass << ":";
             for (std::int64_t k = 0; k < found.due; ++k) text << " " << checks[pass].list[k];
-            if (!found.whole) continue;
+            if (!found.rebuild) continue;
             text << " all";
             EXPECT_FALSE(clock_.mayStep());
-            arrange(pass);
+            rebuild(pass);
         }
         return text.str();
     }
@@ -89,40 +95,39 @@ public:
 private:
     using Executor = CpuExecutor<64>;
 
-    void arrange(std::size_t pass)
+    void rebuild(std::size_t pass)
     {
-        near_.arrange(pass, positions_);
-        states_[pass].arrange(near_.passes()[pass]);
-        passes_.data()[pass] = {};
-        passes_.data()[pass].fresh = 1;
+        near_.rebuild(pass, positions_);
+        fields_->passLists[pass]->rebuild(near_.passes()[pass]);
+        fields_->lists.data()[pass] = {};
+        fields_->lists.data()[pass].rebuilt = 1;
     }
 
     Executor executor_{1, PassListCheck::scratch()};
     NearBlocks::Positions positions_;
     NearBlocks near_;
-    std::vector<SearchState<Executor>> states_;
-    Array<PassListState, Executor> passes_;
+    std::unique_ptr<ContactFields> fields_;
     StepClock clock_;
     std::int64_t late_ = 0;
 };
 
 /// Block k of each surface lies at x = k * spacing.
-ListChecks arranged(double reach, Index blocks, double spacing)
+ListChecks rebuiltChecks(double reach, Index blocks, double spacing)
 {
-    const std::size_t count = std::size_t(4 * blocks * displacementBlock);
+    const std::size_t count = std::size_t(4 * blocks * contactBlock);
     NearBlocks::Positions positions(3 * count);
     for (std::size_t i = 0; i < count; ++i)
-        positions[i] = spacing * double(Index(i) / displacementBlock % blocks);
+        positions[i] = spacing * double(Index(i) / contactBlock % blocks);
     return {twoPairs(reach, blocks), std::move(positions)};
 }
 
 /// One block a surface; the targets lie at x = distance.
 ListChecks apart(double reach, double distance)
 {
-    const std::size_t count = std::size_t(4 * displacementBlock);
+    const std::size_t count = std::size_t(4 * contactBlock);
     NearBlocks::Positions positions(3 * count);
     for (std::size_t i = 0; i < count; ++i)
-        positions[i] = distance * double(Index(i) / displacementBlock % 2);
+        positions[i] = distance * double(Index(i) / contactBlock % 2);
     return {twoPairs(reach, 1), std::move(positions)};
 }
 
@@ -130,7 +135,7 @@ const std::vector<double> still(4, 0.0);
 
 TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({0.5, 0.49, 0, 0}, still), "");
     EXPECT_EQ(check({0.5, 0.51, 0, 0}, still), "0: 0");
@@ -139,7 +144,7 @@ TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 
 TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({2, 0, 0.6, 0}, still), "0: 0");
     // Reference positions were stored then: another 0.5 is 1.1 for the second pass, 0.5 for the
@@ -150,7 +155,7 @@ TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 
 TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, a little more than eleven the skin.
     EXPECT_EQ(check(still, {0.03, 0.03, 0, 0}), "");
@@ -167,7 +172,7 @@ TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 {
     // Three blocks a surface, 100 skins apart; displacements in the order of the surfaces.
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -183,7 +188,7 @@ TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 
 TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -199,7 +204,7 @@ TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
 
 TEST(ListCheck, AFixedStepIsForeseenAfterOneThatWasCut)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     check.clock().step = 0.01; // to meet a time; the next ones are 1 again
     check.rules.fixedStep = 1;
@@ -231,7 +236,7 @@ TEST(ListCheck, BlocksWithNothingNearDoNotSearch)
 
 TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -248,7 +253,7 @@ TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
 
 TEST(ListCheck, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     check.rounding = 0.3; // of each side, at both ends of a displacement
     EXPECT_EQ(check({1.1, 0, 0, 0}, still), "0: 0");
@@ -263,7 +268,8 @@ TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
     const std::vector<Index> starts{0, 2};
     const auto text = [&](double spacing) {
         std::string out;
-        for (const std::uint8_t shared : arranged(1, 4, spacing).near().sharedBlocks(0, starts))
+        for (const std::uint8_t shared :
+             rebuiltChecks(1, 4, spacing).near().sharedBlocks(0, starts))
             out += shared ? 's' : '-';
         return out;
     };
@@ -277,20 +283,19 @@ TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
 {
     // One face as wide as 100 skins whose corners lie in two blocks of contact nodes, and a block
     // of contactors over its middle.
-    SolverData data;
-    data.passes.resize(1);
-    ContactPassSetup& pair = data.passes[0];
-    pair.reach = 1;
-    pair.nodeCount = 2 * displacementBlock;
-    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
-    pair.faceNode = {2 * displacementBlock, 2 * displacementBlock + 1, 3 * displacementBlock,
-                     3 * displacementBlock + 1};
-    const std::size_t count = std::size_t(4 * displacementBlock);
-    numberNodes(data, 4 * displacementBlock);
+    SolverSetUp data;
+    data.contact.passes.resize(1);
+    ContactPassSetup& pass = data.contact.passes[0];
+    pass.reach = 1;
+    pass.nodeCount = 2 * contactBlock;
+    for (Index i = 0; i < pass.nodeCount; ++i) pass.contactor.push_back(i);
+    pass.faceNode = {2 * contactBlock, 2 * contactBlock + 1, 3 * contactBlock,
+                     3 * contactBlock + 1};
+    const std::size_t count = std::size_t(4 * contactBlock);
+    numberNodes(data, 4 * contactBlock);
     NearBlocks::Positions positions(3 * count);
-    for (std::size_t i = 0; i < std::size_t(2 * displacementBlock); ++i) positions[i] = 50;
-    positions[std::size_t(3 * displacementBlock)] =
-        positions[std::size_t(3 * displacementBlock) + 1] = 100;
+    for (std::size_t i = 0; i < std::size_t(2 * contactBlock); ++i) positions[i] = 50;
+    positions[std::size_t(3 * contactBlock)] = positions[std::size_t(3 * contactBlock) + 1] = 100;
     ListChecks check(data, positions);
     check(still, still);
     EXPECT_EQ(check({0, 0, 0, 1.1}, still), "0: 0 1");

@@ -41,7 +41,7 @@ struct Sum {
 Sum sumOfForces(Solver& solver)
 {
     Sum sum;
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         const Point x = values.at(0, i), f = values.at(3, i);
         for (std::size_t c = 0; c < 3; ++c) {
@@ -80,10 +80,10 @@ TEST(Loads, PressureAllRoundIsAUniformStress)
     model.control.massDamping = 2e6;
     const auto solver = startedSolver(model);
     solver->advance(8e-5, 1000000);
-    const ElementValues values = solver->elementValues();
+    const ElementValues values = solver->elements().values();
     for (std::size_t i = 0; i < values.stress.size(); ++i)
         EXPECT_NEAR(values.stress[i], i % 6 < 3 ? -70 : 0, 0.02);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
 TEST(Loads, PressureFollowsTheFacesItPressesOn)
@@ -114,7 +114,7 @@ TEST(Loads, WeightOfABlockIsTheReactionOfItsBase)
     model.control.massDamping = 2e6;
     const auto solver = startedSolver(model);
     solver->advance(1.5e-4, 1000000);
-    const NodeValues base = solver->nodeValues(model.boundaryConditions[0].nodes);
+    const NodeValues base = solver->nodes().values(model.boundaryConditions[0].nodes);
     double reaction = 0;
     for (std::size_t i = 0; i < base.count; ++i) reaction -= base.at(3, i)[2];
     const double weight = 2.7e-9 * 12 * 9.81e6;
@@ -127,7 +127,7 @@ TEST(Loads, GravityIsTheSameAccelerationEverywhere)
     model.boundaryConditions.push_back(gravity(model.mesh, {100, 0, -9810}));
     const auto solver = startedSolver(model);
     solver->advance(1e-4, 1000000);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         EXPECT_NEAR(values.at(2, i)[2], -9810, 1e-4);
         EXPECT_NEAR(values.at(1, i)[0], 0.01, 1e-10);
@@ -142,7 +142,7 @@ TEST(Loads, TractionIsSharedAsTheFacesAre)
         if (p[0] > 1.5) p[0] = 3;
     model.boundaryConditions.push_back(sideLoad(Kind::traction, model.mesh, {0, 0, 1}, {8, 0, 0}));
     const auto solver = startedSolver(model);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         const Point x = values.at(0, i);
         const double wanted = x[2] < 0.5 ? 0 : x[0] < 0.5 ? 2 : x[0] < 1.5 ? 6 : 4;
@@ -158,7 +158,7 @@ TEST(Loads, ForceByAreaKeepsItsTotal)
         if (p[0] > 1.5) p[0] = 3;
     model.boundaryConditions.push_back(sideLoad(Kind::force, model.mesh, {0, 0, 1}, {0, 0, 12}));
     const auto solver = startedSolver(model);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         const Point x = values.at(0, i);
         const double wanted = x[2] < 0.5 ? 0 : x[0] < 0.5 ? 1 : x[0] < 1.5 ? 3 : 2;
@@ -178,19 +178,19 @@ TEST(Loads, AnInitialRotationOfADeformableCubeGoesOn)
     model.initialVelocities.push_back(spin);
     const auto solver = startedSolver(model);
     const auto angular = [&] {
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         double sum = 0;
         for (std::size_t i = 0; i < values.count; ++i) {
             const Point x = values.at(0, i), v = values.at(1, i);
-            sum += solver->data().nodeMass[i] * (x[0] * v[1] - x[1] * v[0]);
+            sum += solver->nodes().setUp().mass[i] * (x[0] * v[1] - x[1] * v[0]);
         }
         return sum;
     };
-    const double start = angular(), energy = solver->energies().total;
+    const double start = angular(), energy = solver->ledger().energies().total;
     EXPECT_GT(start, 0);
     solver->advance(10 * 2 * 3.14159265 / 2e5, 1000000);
     EXPECT_NEAR(angular(), start, 1e-3 * start);
-    EXPECT_NEAR(solver->energies().total, energy, 1e-3 * energy);
+    EXPECT_NEAR(solver->ledger().energies().total, energy, 1e-3 * energy);
 }
 
 } // namespace

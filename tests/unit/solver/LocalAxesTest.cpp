@@ -67,8 +67,8 @@ TEST(LocalAxes, ATurnedSceneGivesTheTurnedResult)
     const auto a = startedSolver(straight, true), b = startedSolver(oblique, true);
     a->advance(1.5e-5, 100000);
     b->advance(1.5e-5, 100000);
-    EXPECT_GT(a->energies().plastic, 0);
-    const NodeValues x = a->nodeValues({}), y = b->nodeValues({});
+    EXPECT_GT(a->ledger().energies().plastic, 0);
+    const NodeValues x = a->nodes().values({}), y = b->nodes().values({});
     double most = 0;
     for (std::size_t i = 0; i < x.count; ++i) {
         const Point wanted = applied(axes, x.at(0, i)), force = applied(axes, x.at(3, i));
@@ -79,10 +79,11 @@ TEST(LocalAxes, ATurnedSceneGivesTheTurnedResult)
         }
     }
     EXPECT_GT(most, 0.01);
-    const NodalWorks v = a->nodalWorks(), w = b->nodalWorks();
+    const NodalWorks v = a->ledger().nodalWorks(), w = b->ledger().nodalWorks();
     EXPECT_NEAR(w.drives, v.drives, 1e-9 * std::abs(v.drives));
     EXPECT_NEAR(w.external, v.external, 1e-9 * std::abs(v.external));
-    EXPECT_NEAR(b->energies().kinetic, a->energies().kinetic, 1e-9 * a->energies().kinetic);
+    EXPECT_NEAR(b->ledger().energies().kinetic, a->ledger().energies().kinetic,
+                1e-9 * a->ledger().energies().kinetic);
 }
 
 TEST(LocalAxes, ADrivenDirectionIsTrackedExactly)
@@ -94,7 +95,7 @@ TEST(LocalAxes, ADrivenDirectionIsTrackedExactly)
     for (int call = 0; call < 20; ++call) {
         solver->advance(1.5e-5, 5);
         const double wanted = 0.02 * pull.amplitude(solver->clock().time);
-        const NodeValues values = solver->nodeValues(pull.nodes);
+        const NodeValues values = solver->nodes().values(pull.nodes);
         for (std::size_t i = 0; i < values.count; ++i) {
             const Point& start = model.mesh.points[std::size_t(pull.nodes[i])];
             double way = 0;
@@ -131,7 +132,7 @@ TEST(LocalAxes, NodesOfTwoMirrorPlanesMoveAlongTheirEdge)
     model.initialVelocities.push_back({"", nodesOfPart(model.mesh, "box"), {3e3, 5e3, -2e3}});
     const auto solver = startedSolver(model, true);
     solver->advance(2e-5, 100000);
-    const NodeValues on = solver->nodeValues(edge), mirror = solver->nodeValues(second);
+    const NodeValues on = solver->nodes().values(edge), mirror = solver->nodes().values(second);
     double along = 0;
     for (std::size_t i = 0; i < on.count; ++i) {
         const Point& start = model.mesh.points[std::size_t(edge[i])];
@@ -143,7 +144,8 @@ TEST(LocalAxes, NodesOfTwoMirrorPlanesMoveAlongTheirEdge)
     for (std::size_t i = 0; i < mirror.count; ++i)
         EXPECT_NEAR(mirror.at(0, i)[1], root * mirror.at(0, i)[0], 1e-13);
     // What only holds does no work.
-    EXPECT_LT(std::abs(solver->nodalWorks().drives), 1e-12 * solver->energies().kinetic);
+    EXPECT_LT(std::abs(solver->ledger().nodalWorks().drives),
+              1e-12 * solver->ledger().energies().kinetic);
 }
 
 TEST(LocalAxes, ARotationCarriesPointsRoundTheirAxis)
@@ -161,7 +163,7 @@ TEST(LocalAxes, ARotationCarriesPointsRoundTheirAxis)
     for (const double time : {3.1e-5, 1.7e-4, 2e-4}) {
         solver->advance(time, 1000000);
         const double angle = 4 * pi * time / 2e-4, c = std::cos(angle), s = std::sin(angle);
-        const NodeValues values = solver->nodeValues({});
+        const NodeValues values = solver->nodes().values({});
         for (std::size_t i = 0; i < values.count; ++i) {
             Point r = model.mesh.points[i], side{}, out{};
             for (std::size_t k = 0; k < 3; ++k) r[k] -= turn.line[0][k];

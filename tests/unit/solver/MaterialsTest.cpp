@@ -75,10 +75,10 @@ std::uint64_t checksumOf(Model model, int threads, const char* simd, bool erodes
     const auto solver = startedSolver(model);
     solver->advance(1, 200);
     EXPECT_FALSE(solver->clock().failed);
-    EXPECT_GT(solver->energies().plastic, 0);
+    EXPECT_GT(solver->ledger().energies().plastic, 0);
     EXPECT_EQ(solver->clock().deletions > 0, erodes);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
-    return solver->stateChecksum();
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
+    return stateChecksum(*solver);
 }
 
 TEST_P(Materials, VectorWidthAndThreadsDoNotChangeTheState)
@@ -117,10 +117,10 @@ TEST(AdiabaticHeating, TheHeatOfAllElementsIsTheirShareOfThePlasticWork)
             }
             const auto solver = startedSolver(model);
             solver->advance(1, 400);
-            EXPECT_EQ(solver->data().scaledElements > 0, scaling > 0);
-            const ElementValues values = solver->elementValues();
+            EXPECT_EQ(solver->elements().setUp().scaled > 0, scaling > 0);
+            const ElementValues values = solver->elements().values();
             double heat = 0, most = 0;
-            for (Index e = 0; e < solver->data().elementCount; ++e) {
+            for (Index e = 0; e < solver->elements().setUp().count; ++e) {
                 const Part& part = model.parts[std::size_t(model.mesh.partOf(e))];
                 const double mass = part.density * volume(model.mesh, e),
                              rise = values.temperature[std::size_t(e)] - 293;
@@ -128,7 +128,7 @@ TEST(AdiabaticHeating, TheHeatOfAllElementsIsTheirShareOfThePlasticWork)
                 most = std::max(most, rise);
             }
             // The mean over eight points is not weighted by their volumes.
-            const double expected = law.flow.heatFraction * solver->energies().plastic;
+            const double expected = law.flow.heatFraction * solver->ledger().energies().plastic;
             EXPECT_GT(most, 1);
             EXPECT_NEAR(heat, expected, (form == HexahedronForm::reduced ? 1e-9 : 0.02) * expected);
         }
@@ -139,7 +139,7 @@ TEST(MaterialMemory, ABackstressIsSixValuesAndATemperatureOne)
     const auto bytes = [](const Flow& flow) {
         Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);
         part.flow = flow;
-        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->deviceBytes();
+        return makeSolver(boxModel({16, 1, 1}, {16, 1, 1}, part))->fields().bytes();
     };
     Flow kinematic, heats;
     kinematic.kinematicModulus = 1;
@@ -174,8 +174,8 @@ Waves waves(const Flow& flow, std::vector<Hardening> hardening)
     const auto solver = startedSolver(model);
     solver->advance(time, 1000000);
     EXPECT_FALSE(solver->clock().failed);
-    const ElementValues values = solver->elementValues();
-    const NodeValues nodes = solver->nodeValues({});
+    const ElementValues values = solver->elements().values();
+    const NodeValues nodes = solver->nodes().values({});
     // Cells along the bar, by their place in the undeformed mesh.
     std::vector<std::array<double, 3>> cell;
     for (Index e = 0; e < cells; ++e) {

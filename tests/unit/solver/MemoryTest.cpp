@@ -1,4 +1,4 @@
-#include "solver/PatchTables.h"
+#include "solver/elements/PatchTables.h"
 #include "stability/SceneTools.h"
 #include "support/solverModel.h"
 
@@ -32,7 +32,7 @@ Model layers(int count, Precision precision)
 
 double bytesAnElement(const Model& model)
 {
-    return double(makeSolver(model)->deviceBytes()) / double(model.mesh.hexahedra.size());
+    return double(makeSolver(model)->fields().bytes()) / double(model.mesh.hexahedra.size());
 }
 
 TEST(Memory, ALayeredPlateHoldsAtMostSoMuchAnElement)
@@ -43,12 +43,12 @@ TEST(Memory, ALayeredPlateHoldsAtMostSoMuchAnElement)
 
 TEST(Memory, PatchesOfOneShapeShareTheirTables)
 {
-    const SolverData one = makeSolverData(layers(1, Precision::double_)),
-                     four = makeSolverData(layers(4, Precision::double_));
-    EXPECT_EQ(four.patches.size(), 4 * one.patches.size());
-    EXPECT_EQ(four.corners, one.corners);
-    EXPECT_EQ(four.cornerStarts, one.cornerStarts);
-    EXPECT_EQ(four.slotCorners, one.slotCorners);
+    const SolverSetUp one = makeSetUp(layers(1, Precision::double_)),
+                      four = makeSetUp(layers(4, Precision::double_));
+    EXPECT_EQ(four.elements.patches.size(), 4 * one.elements.patches.size());
+    EXPECT_EQ(four.elements.corners, one.elements.corners);
+    EXPECT_EQ(four.elements.cornerStarts, one.elements.cornerStarts);
+    EXPECT_EQ(four.elements.slotCorners, one.elements.slotCorners);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "base/Error.h"
-#include "solver/MirrorPlanes.h"
+#include "solver/contact/MirrorPlanes.h"
 #include "unit/solver/scenes.h"
 
 #include <gtest/gtest.h>
@@ -51,15 +51,15 @@ TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
                 whole->advance(1, 10);
                 half->advance(1, 10);
                 ASSERT_NEAR(half->clock().time, whole->clock().time, 1e-7 * whole->clock().time);
-                const Point a = whole->pairForce(0).force, b = half->pairForce(0).force;
+                const Point a = whole->contact().force(0).force, b = half->contact().force(0).force;
                 most = std::max(most, std::abs(a[2]));
                 for (const std::size_t c : {1U, 2U})
                     apart = std::max(apart, std::abs(2 * b[c] - a[c]));
             }
             EXPECT_GT(most, 1e3) << passes << " passes";
             EXPECT_LT(apart, 1e-8 * most) << passes << " passes, friction " << friction;
-            EXPECT_NEAR(2 * half->energies().friction, whole->energies().friction,
-                        1e-6 * whole->energies().friction);
+            EXPECT_NEAR(2 * half->ledger().energies().friction, whole->ledger().energies().friction,
+                        1e-6 * whole->ledger().energies().friction);
         }
 }
 
@@ -83,9 +83,9 @@ TEST(Mirror, APlaneInManyConditionsIsOne)
     const auto parts = startedSolver(model);
     once->advance(1, 100);
     parts->advance(1, 100);
-    EXPECT_GT(std::abs(once->pairForce(0).force[2]), 500);
-    EXPECT_EQ(once->pairForce(0).force, parts->pairForce(0).force);
-    EXPECT_EQ(once->energies().friction, parts->energies().friction);
+    EXPECT_GT(std::abs(once->contact().force(0).force[2]), 500);
+    EXPECT_EQ(once->contact().force(0).force, parts->contact().force(0).force);
+    EXPECT_EQ(once->ledger().energies().friction, parts->ledger().energies().friction);
 }
 
 /// A layer held on both sides by one condition lies between two planes.

@@ -1,4 +1,4 @@
-#include "solver/ModelSizes.h"
+#include "solver/elements/ModelSizes.h"
 
 #include "base/Error.h"
 #include "unit/solver/kindScenes.h"
@@ -77,16 +77,16 @@ TEST(ModelSizes, AreThoseOfTheLists)
                                                      nodesOfPart(model.mesh, "lower"),
                                                      {true, true, true}, {1, 2, 3}));
         const ModelSizes sizes = sizesOf(model);
-        const SolverData data = makeSolverData(model);
-        EXPECT_EQ(sizes.paddedElements, std::size_t(data.paddedElements));
-        EXPECT_EQ(4 * sizes.pressureSides, data.pressureSlots.size());
-        EXPECT_EQ(sizes.uses, data.uses.size());
-        EXPECT_EQ(sizes.contactNodes, data.contactNodes.size());
-        ASSERT_EQ(sizes.passes.size(), data.passes.size());
-        for (std::size_t pass = 0; pass < data.passes.size(); ++pass) {
-            EXPECT_EQ(sizes.passes[pass].contactors, data.passes[pass].contactor.size());
-            EXPECT_EQ(4 * sizes.passes[pass].ownFaces, data.passes[pass].ownFaces.size());
-            EXPECT_EQ(4 * sizes.passes[pass].faces, data.passes[pass].faceNode.size());
+        const SolverSetUp data = makeSetUp(model);
+        EXPECT_EQ(sizes.paddedElements, std::size_t(data.elements.padded));
+        EXPECT_EQ(4 * sizes.pressureSides, data.nodes.pressureSlots.size());
+        EXPECT_EQ(sizes.uses, data.nodes.uses.size());
+        EXPECT_EQ(sizes.contactNodes, data.contact.nodes.size());
+        ASSERT_EQ(sizes.passes.size(), data.contact.passes.size());
+        for (std::size_t pass = 0; pass < data.contact.passes.size(); ++pass) {
+            EXPECT_EQ(sizes.passes[pass].contactors, data.contact.passes[pass].contactor.size());
+            EXPECT_EQ(4 * sizes.passes[pass].ownFaces, data.contact.passes[pass].ownFaces.size());
+            EXPECT_EQ(4 * sizes.passes[pass].faces, data.contact.passes[pass].faceNode.size());
         }
     }
 }

@@ -46,11 +46,11 @@ Struck strike(const Model& model)
     const double before = momentum(*solver, rod)[2];
     solver->advance(4e-5, 100000);
     EXPECT_EQ(solver->clock().failed, 0);
-    EXPECT_EQ(solver->pairForce(0).released + solver->pairForce(1).released, 0);
+    EXPECT_EQ(solver->contact().force(0).released + solver->contact().force(1).released, 0);
     const std::vector<Index> centre =
         nodesWhere(model.mesh, [](Point p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; });
-    return {solver->nodeValues(centre).at(0, 0)[2], momentum(*solver, rod)[2] - before,
-            solver->energies().plastic, std::abs(solver->energies().balance)};
+    return {solver->nodes().values(centre).at(0, 0)[2], momentum(*solver, rod)[2] - before,
+            solver->ledger().energies().plastic, std::abs(solver->ledger().energies().balance)};
 }
 
 void expectNear(const Struck& a, const Struck& b, double share)
@@ -106,9 +106,9 @@ TEST(PaperAlgorithm, ColdProjectionPassesFromFaceToFaceAsItSlides)
             const auto solver = startedSolver(model);
             while (solver->clock().time < 1e-5) { // slides by more than a face
                 solver->advance(1e-5, 1);
-                forces[cold].push_back(solver->pairForce(0).force[2]);
+                forces[cold].push_back(solver->contact().force(0).force[2]);
             }
-            EXPECT_EQ(solver->pairForce(0).released + solver->pairForce(0).overEdge, 0);
+            EXPECT_EQ(solver->contact().force(0).released + solver->contact().force(0).overEdge, 0);
         }
         ASSERT_EQ(forces[0].size(), forces[1].size());
         const double scale = *std::max_element(forces[0].begin(), forces[0].end());

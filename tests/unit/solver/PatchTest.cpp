@@ -48,7 +48,7 @@ double spread(const std::vector<double>& stress)
 double innerForce(const Model& model, Solver& solver)
 {
     double most = 0;
-    const NodeValues values = solver.nodeValues({});
+    const NodeValues values = solver.nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i) {
         bool inside = true;
         for (const double x : model.mesh.points[i]) inside &= x > 0.01 && x < 3.99;
@@ -66,7 +66,7 @@ TEST_P(Patch, StretchedDistortedMeshHasUniformStress)
     const auto solver = startedSolver(model);
     solver->advance(1e-6, 1000);
     ASSERT_FALSE(solver->clock().failed);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     EXPECT_NEAR(stress[0], 70000 * rate * 1e-6, 1e-8 * stress[0]); // uniaxial
     EXPECT_LT(spread(stress), 1e-10 * stress[0]);
     EXPECT_LT(innerForce(model, *solver), 1e-10 * stress[0]);
@@ -80,7 +80,7 @@ TEST_P(Patch, ShearedAndTurnedDistortedMeshHasUniformStress)
     const auto solver = startedSolver(model);
     solver->advance(1e-6, 1000);
     ASSERT_FALSE(solver->clock().failed);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     EXPECT_NEAR(stress[3], 70000 / 2.6 * 2.3 * r * 1e-6, 1e-8 * stress[3]);
     EXPECT_LT(spread(stress), 1e-10 * stress[3]);
     EXPECT_LT(innerForce(model, *solver), 1e-10 * stress[3]);
@@ -95,7 +95,7 @@ TEST_P(Patch, AtFiniteStrainTheSpreadIsOfSecondOrder)
         GetParam(), {{{1e6 * strain, 0, 0}, {0, -3e5 * strain, 0}, {0, 0, -3e5 * strain}}});
     const auto solver = startedSolver(model);
     solver->advance(1e-6, 1000);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     EXPECT_LT(spread(stress), strain * stress[0]);
 }
 

@@ -38,7 +38,7 @@ double distance(const Point& a, const Point& b)
 TEST(RigidBody, TakesMassCentreAndInertiaFromTheMesh)
 {
     const auto solver = startedSolver(brick());
-    const RigidBody& body = solver->data().body.bodies[0];
+    const RigidBody& body = solver->bodies().setUp().bodies[0];
     EXPECT_NEAR(body.mass, 47.1, 1e-12);
     EXPECT_NEAR(body.start.x, 0.15, 1e-15);
     EXPECT_NEAR(body.inertia.x.x, 0.19625, 1e-13);
@@ -56,7 +56,7 @@ TEST(RigidBody, TakesWhatIsGivenInstead)
     given.centre = {0.1, 0.1, 0.1};
     given.inertia = {3, 4, 5, 0.1, 0.2, 0.3};
     const auto solver = startedSolver(model);
-    const RigidBody& body = solver->data().body.bodies[0];
+    const RigidBody& body = solver->bodies().setUp().bodies[0];
     EXPECT_EQ(body.mass, 10);
     EXPECT_EQ(body.start.z, 0.1);
     EXPECT_EQ(body.inertia.y.z, 0.2);
@@ -72,13 +72,13 @@ TEST(RigidBody, FreeBrickFlips)
     Model model = brick();
     spin(model, {0.1, 100, 0.1});
     const auto solver = startedSolver(model);
-    const BodyMotionValues first = solver->bodyMotion(0);
+    const BodyMotionValues first = solver->bodies().motion(0);
     EXPECT_NEAR(first.kinetic, 1962.5035, 1e-4);
     std::vector<double> flips;
     double before = 100, timeBefore = 0;
     while (solver->clock().time < 1) {
         solver->advance(1, 20);
-        const double now = solver->bodyMotion(0).localSpin[1], time = solver->clock().time;
+        const double now = solver->bodies().motion(0).localSpin[1], time = solver->clock().time;
         if (now * before < 0)
             flips.push_back(timeBefore + (time - timeBefore) * before / (before - now));
         before = now;
@@ -87,12 +87,12 @@ TEST(RigidBody, FreeBrickFlips)
     ASSERT_EQ(flips.size(), 3u);
     const double exact[3] = {0.19860, 0.54999, 0.90138};
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(flips[i], exact[i], 1e-3 * exact[i]);
-    const BodyMotionValues last = solver->bodyMotion(0);
+    const BodyMotionValues last = solver->bodies().motion(0);
     EXPECT_NEAR(last.kinetic, first.kinetic, 1e-10 * first.kinetic);
     EXPECT_EQ(last.momentum, first.momentum);
-    EXPECT_NEAR(solver->energies().kinetic, first.kinetic, 1e-10 * first.kinetic);
+    EXPECT_NEAR(solver->ledger().energies().kinetic, first.kinetic, 1e-10 * first.kinetic);
     // The nodes are those of an undeformed brick about its centre.
-    const NodeValues nodes = solver->nodeValues({});
+    const NodeValues nodes = solver->nodes().values({});
     const std::vector<Point>& start = model.mesh.points;
     for (std::size_t i = 0; i < nodes.count; ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -112,7 +112,7 @@ std::vector<double> flipsOfNodes(Model model, double end)
                              right = face(0, 0.3);
     const auto solver = startedSolver(model);
     const auto mean = [&](int quantity, const std::vector<Index>& nodes) {
-        const NodeValues values = solver->nodeValues(nodes);
+        const NodeValues values = solver->nodes().values(nodes);
         Point sum{};
         for (std::size_t i = 0; i < values.count; ++i)
             for (std::size_t c = 0; c < 3; ++c)
@@ -152,7 +152,7 @@ TEST(RigidBody, ADeformableBrickFlipsAsTheRigidOneOfItsNodes)
     given.hasInertia = true;
     for (std::size_t i = 0; i < steel.mesh.points.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
-            const double m = solver->data().nodeMass[i], x = steel.mesh.points[i][c];
+            const double m = solver->nodes().setUp().mass[i], x = steel.mesh.points[i][c];
             const double square = m * std::pow(x - std::array{0.15, 0.1, 0.05}[c], 2);
             given.inertia[(c + 1) % 3] += square;
             given.inertia[(c + 2) % 3] += square;
@@ -168,13 +168,13 @@ TEST(RigidBody, NodesHaveTheVelocityOfTheirBody)
     Model model = brick();
     spin(model, {3, -20, 7});
     const auto solver = startedSolver(model);
-    NodeValues before = solver->nodeValues({});
+    NodeValues before = solver->nodes().values({});
     solver->advance(1, 100);
-    before = solver->nodeValues({});
+    before = solver->nodes().values({});
     solver->advance(1, 1);
-    const NodeValues now = solver->nodeValues({});
+    const NodeValues now = solver->nodes().values({});
     solver->advance(1, 1);
-    const NodeValues after = solver->nodeValues({});
+    const NodeValues after = solver->nodes().values({});
     for (std::size_t i = 0; i < now.count; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             const double v = (after.at(0, i)[c] - before.at(0, i)[c]) / 2e-5;
@@ -194,12 +194,12 @@ TEST(RigidBody, FallsAsEverythingDoes)
     model.initialVelocities.push_back({"", nodesOfPart(model.mesh, "box"), {2, 0, 0}, {}, {}, 0});
     const auto solver = startedSolver(model);
     solver->advance(0.1, 100000);
-    const BodyMotionValues body = solver->bodyMotion(0);
+    const BodyMotionValues body = solver->bodies().motion(0);
     EXPECT_NEAR(body.displacement[0], 0.2, 1e-12);
     EXPECT_NEAR(body.displacement[2], -9.81 * 0.1 * 0.1 / 2, 1e-12);
     EXPECT_NEAR(body.velocity[2], -0.981, 1e-12);
     EXPECT_NEAR(body.force[2], -9.81 * 47.1, 1e-10);
-    EXPECT_LT(std::abs(solver->energies().balance), 1e-6);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-6);
 }
 
 TEST(RigidBody, AForceBesideTheCentreTurnsIt)
@@ -210,11 +210,11 @@ TEST(RigidBody, AForceBesideTheCentreTurnsIt)
     model.boundaryConditions.push_back(
         condition(Kind::force, "f", corner, {true, true, true}, {0, 5, 0}));
     const auto solver = startedSolver(model);
-    const BodyMotionValues body = solver->bodyMotion(0);
+    const BodyMotionValues body = solver->bodies().motion(0);
     EXPECT_EQ(body.force, (Point{0, 5, 0}));
     EXPECT_NEAR(body.moment[0], 0.05 * 5, 1e-14);
     EXPECT_NEAR(body.moment[2], 0.15 * 5, 1e-14);
-    const NodeValues at = solver->nodeValues(corner);
+    const NodeValues at = solver->nodes().values(corner);
     // a = F / m + alpha x r, along y: alpha_z r_x - alpha_x r_z
     EXPECT_NEAR(at.at(2, 0)[1], 5 / 47.1 + 0.75 / 0.51025 * 0.15 + 0.25 / 0.19625 * 0.05, 1e-12);
 }
@@ -232,13 +232,13 @@ TEST(RigidBody, IsHeldByItsConditions)
         condition(Kind::force, "f", {0}, {true, true, true}, {40, 50, 60}));
     const auto solver = startedSolver(model, true);
     solver->advance(0.01, 10000);
-    const BodyMotionValues body = solver->bodyMotion(0);
+    const BodyMotionValues body = solver->bodies().motion(0);
     EXPECT_EQ(body.displacement[0], 0);
     EXPECT_GT(std::abs(body.displacement[1]), 1e-5);
     EXPECT_EQ(body.spin[1], 0);
     EXPECT_EQ(body.spin[2], 0);
     EXPECT_GT(std::abs(body.spin[0] - 30), 0.01);
-    const NodeValues nodes = solver->nodeValues({});
+    const NodeValues nodes = solver->nodes().values({});
     for (std::size_t i = 0; i < nodes.count; ++i)
         EXPECT_NEAR(nodes.at(0, i)[0], model.mesh.points[i][0], 1e-15);
 }
@@ -258,10 +258,10 @@ Model strike(double friction = 0.3)
 /// m V of the half step, from V and F of the full step.
 Point bodyMomentum(Solver& solver)
 {
-    const BodyMotionValues body = solver.bodyMotion(0);
+    const BodyMotionValues body = solver.bodies().motion(0);
     Point out{};
     for (std::size_t c = 0; c < 3; ++c)
-        out[c] = solver.data().body.bodies[0].mass * body.velocity[c]
+        out[c] = solver.bodies().setUp().bodies[0].mass * body.velocity[c]
                  - 0.5 * solver.clock().step * body.force[c];
     return out;
 }
@@ -275,7 +275,7 @@ TEST(RigidBody, BouncesOffADeformableBlockAndMomentumStays)
     double touched = 0;
     for (int call = 0; call < 40; ++call) {
         solver->advance(4e-5, 20);
-        touched = std::max(touched, double(solver->pairForce(0).active));
+        touched = std::max(touched, double(solver->contact().force(0).active));
         const Point body = bodyMomentum(*solver), block = momentum(*solver, lower);
         for (std::size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(body[c] + block[c], start[c], 1e-12 * std::abs(start[2]));
@@ -283,9 +283,9 @@ TEST(RigidBody, BouncesOffADeformableBlockAndMomentumStays)
     solver->advance(4e-5, 1000000);
     EXPECT_GT(touched, 5);
     EXPECT_FALSE(solver->clock().failed);
-    EXPECT_GT(solver->bodyMotion(0).velocity[2], -4e4);
-    EXPECT_GT(std::abs(solver->bodyMotion(0).spin[0]), 10);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_GT(solver->bodies().motion(0).velocity[2], -4e4);
+    EXPECT_GT(std::abs(solver->bodies().motion(0).spin[0]), 10);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
 /// K of nodes and body at the half step is the sum of the works, to rounding.
@@ -312,22 +312,23 @@ TEST(RigidBody, LedgerOfNodesAndBodyIsExact)
         const std::vector<Index> lower = nodesOfPart(model.mesh, "lower");
         for (const Index node : lower)
             for (const double c : v[std::size_t(node)])
-                sum += 0.5 * solver->data().nodeMass[std::size_t(node)] * c * c;
-        return sum + solver->bodyMotion(0).halfStepKinetic;
+                sum += 0.5 * solver->nodes().setUp().mass[std::size_t(node)] * c * c;
+        return sum + solver->bodies().motion(0).halfStepKinetic;
     };
     solver->advance(1, 1); // the first step is half a one
     const double start = kinetic();
-    const NodalWorks first = solver->nodalWorks();
+    const NodalWorks first = solver->ledger().nodalWorks();
     const auto booked = [](const NodalWorks& w) {
         return w.internal + w.contact + w.external + w.drives - w.damping;
     };
     for (int call = 0; call < 20; ++call) {
         solver->advance(1, 25);
-        EXPECT_NEAR(kinetic() - start, booked(solver->nodalWorks()) - booked(first), 1e-10 * start);
+        EXPECT_NEAR(kinetic() - start, booked(solver->ledger().nodalWorks()) - booked(first),
+                    1e-10 * start);
     }
-    EXPECT_GT(std::abs(solver->nodalWorks().contact), 1e-4 * start);
-    EXPECT_GT(std::abs(solver->nodalWorks().external), 1e-4 * start);
-    EXPECT_GT(solver->nodalWorks().damping, 1e-4 * start);
+    EXPECT_GT(std::abs(solver->ledger().nodalWorks().contact), 1e-4 * start);
+    EXPECT_GT(std::abs(solver->ledger().nodalWorks().external), 1e-4 * start);
+    EXPECT_GT(solver->ledger().nodalWorks().damping, 1e-4 * start);
 }
 
 TEST(RigidBody, ItsElementsDoNotLimitTheStep)
@@ -354,7 +355,7 @@ TEST(RigidBody, ItsMassBoundsTheStepOfItsContactSprings)
     EXPECT_FALSE(solver->clock().failed);
     EXPECT_GT(solver->clock().contactFrequency, 0);
     EXPECT_LE(solver->clock().contactFrequency * solver->clock().step, 0.5 * (1 + 1e-9));
-    EXPECT_LT(solver->energies().kinetic, 0.5 * 2.7e-13 * 180 * 6.9e9 * 1.1);
+    EXPECT_LT(solver->ledger().energies().kinetic, 0.5 * 2.7e-13 * 180 * 6.9e9 * 1.1);
 }
 
 class RigidBodyBits : public testing::TestWithParam<Precision>
@@ -370,8 +371,8 @@ TEST_P(RigidBodyBits, AreTheSameOnThreadsAndVectorWidths)
         model.control.simd = simd;
         const auto solver = startedSolver(model);
         solver->advance(1, 60);
-        EXPECT_GT(solver->energies().friction, 0);
-        return solver->stateChecksum();
+        EXPECT_GT(solver->ledger().energies().friction, 0);
+        return stateChecksum(*solver);
     };
     const std::uint64_t serial = run("serial", 1, "scalar");
     EXPECT_EQ(run("serial", 1, "auto"), serial);

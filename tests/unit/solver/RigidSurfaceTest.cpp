@@ -44,7 +44,7 @@ double meanForce(Solver& solver, double from, double to)
     double impulse = 0;
     while (solver.clock().time < to) {
         solver.advance(to, 1);
-        impulse += solver.clock().step * solver.pairForce(0).force[2];
+        impulse += solver.clock().step * solver.contact().force(0).force[2];
     }
     return impulse / (solver.clock().time - from);
 }
@@ -56,12 +56,12 @@ TEST(RigidSurface, WallForceOfABarIsItsImpedanceTimesItsSpeed)
     const auto solver = startedSolver(model);
     const double c = std::sqrt(70000 / 2.7e-9), run = 40 / c, force = 2.7e-9 * c * 1e4;
     EXPECT_NEAR(meanForce(*solver, 0.4 * run, 1.6 * run), force, 0.003 * force);
-    EXPECT_EQ(solver->pairForce(0).active, 9);
+    EXPECT_EQ(solver->contact().force(0).active, 9);
     solver->advance(3 * run, 1000000); // it has left after two runs, with its speed turned round
-    EXPECT_EQ(solver->pairForce(0).active, 0);
+    EXPECT_EQ(solver->contact().force(0).active, 0);
     const double before = 2.7e-9 * 40 * 1e4;
     EXPECT_NEAR(momentum(*solver)[2], before, 0.02 * before);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.001);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.001);
 }
 
 TEST(RigidSurface, MovingWallDoesItsWorkOnTheBar)
@@ -77,11 +77,11 @@ TEST(RigidSurface, MovingWallDoesItsWorkOnTheBar)
         const auto solver = startedSolver(model);
         const double c = std::sqrt(70000 / 2.7e-9), run = 40 / c, force = 2.7e-9 * c * 1e4;
         EXPECT_NEAR(meanForce(*solver, 0.4 * run, 1.6 * run), force, 0.003 * force);
-        const Energies e = solver->energies();
+        const Energies e = solver->ledger().energies();
         EXPECT_NEAR(e.external, 1e4 * momentum(*solver)[2], 0.005 * e.external);
         EXPECT_LT(std::abs(e.balance), 0.001);
         solver->advance(4 * run, 1000000);
-        EXPECT_LT(std::abs(solver->energies().balance), 0.001);
+        EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.001);
         EXPECT_NEAR(momentum(*solver)[2], 2 * 2.7e-9 * 40 * 1e4, 0.04 * 2.7e-9 * 40 * 1e4);
     }
 }
@@ -127,7 +127,7 @@ struct Slide {
     }
     Point centre(Solver& solver) const
     {
-        const NodeValues values = solver.nodeValues({});
+        const NodeValues values = solver.nodes().values({});
         Point sum{0, 0, 0};
         for (std::size_t i = 0; i < values.count; ++i)
             for (std::size_t c = 0; c < 3; ++c) sum[c] += values.at(0, i)[c] / double(values.count);
@@ -147,7 +147,7 @@ struct Slide {
                 stop = time * call / 200;
             }
         }
-        energies = solver->energies();
+        energies = solver->ledger().energies();
         EXPECT_FALSE(solver->clock().failed);
         EXPECT_LT(std::abs(energies.balance), 0.001);
     }
@@ -233,12 +233,12 @@ TEST(RigidSurface, TwoDiesPressAlikeAndTheirWorkIsBooked)
     for (const double friction : {0.0, 0.3}) {
         const auto solver = startedSolver(vice(friction));
         solver->advance(4e-5, 1000000);
-        const PairForce upper = solver->pairForce(0), lower = solver->pairForce(1);
+        const PairForce upper = solver->contact().force(0), lower = solver->contact().force(1);
         EXPECT_LT(upper.force[2], -100);
         for (std::size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(upper.force[c] + lower.force[c], 0, 1e-8 * std::abs(upper.force[2]));
         EXPECT_NEAR(upper.force[0], 0, 1e-8 * std::abs(upper.force[2]));
-        const Energies e = solver->energies();
+        const Energies e = solver->ledger().energies();
         EXPECT_GT(e.external, 0);
         EXPECT_GT(e.plastic, 0);
         EXPECT_LT(std::abs(e.balance), 0.002);
@@ -255,7 +255,7 @@ TEST(RigidSurface, CylinderEndsWhereItsAxisEnds)
         }
         const auto solver = startedSolver(model);
         solver->advance(4e-5, 1000000);
-        const NodeValues values = solver->nodeValues(model.contactPairs[0].contactorNodes);
+        const NodeValues values = solver->nodes().values(model.contactPairs[0].contactorNodes);
         double beyond = 0, under = 0;
         for (std::size_t i = 0; i < values.count; ++i)
             (values.at(0, i)[1] > 0.2 ? beyond : under) += values.at(4, i)[2];
@@ -289,13 +289,13 @@ TEST(RigidSurface, SpherePressesABlockFromInsideAndFromOutside)
         const auto solver = startedSolver(model);
         double impulse = 0;
         for (int n = 0; n < 200; ++n) {
-            const double last = solver->pairForce(0).force[2];
+            const double last = solver->contact().force(0).force[2];
             solver->advance(1, 1);
-            impulse += 0.5 * solver->clock().step * (last + solver->pairForce(0).force[2]);
+            impulse += 0.5 * solver->clock().step * (last + solver->contact().force(0).force[2]);
         }
         EXPECT_LT(impulse, 0);
         EXPECT_NEAR(momentum(*solver)[2], impulse, 0.02 * std::abs(impulse));
-        EXPECT_LT(std::abs(solver->energies().balance), 0.002);
+        EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.002);
     }
 }
 
@@ -322,9 +322,9 @@ TEST(RigidSurface, ContactDampingSetsTheReboundAndIsBooked)
         // Four of eight nodes have dampers: zeta / sqrt(2) for the brick. The spring may not pull.
         const double z = zeta / std::sqrt(2.0), root = std::sqrt(1 - z * z);
         const double exact = std::exp(-z * (M_PI - std::atan2(2 * z * root, 1 - 2 * z * z)) / root);
-        EXPECT_EQ(solver->pairForce(0).active, 0);
+        EXPECT_EQ(solver->contact().force(0).active, 0);
         EXPECT_NEAR(momentum(*solver)[2] / (2.7e-9 * 1e3), exact, 0.01) << zeta;
-        const Energies e = solver->energies();
+        const Energies e = solver->ledger().energies();
         EXPECT_LT(std::abs(e.balance), 0.001);
         EXPECT_NEAR(e.contactDamping, 0.5 * 2.7e-9 * 1e6 * (1 - exact * exact),
                     0.02 * 0.5 * 2.7e-9 * 1e6);
@@ -339,9 +339,9 @@ std::uint64_t stateAfter(Model model, const std::string& backend, int threads, c
     const auto solver = startedSolver(model);
     solver->advance(1, 200);
     EXPECT_FALSE(solver->clock().failed);
-    EXPECT_GT(solver->pairForce(0).active, 0);
-    EXPECT_GT(solver->energies().friction, 0);
-    return solver->stateChecksum();
+    EXPECT_GT(solver->contact().force(0).active, 0);
+    EXPECT_GT(solver->ledger().energies().friction, 0);
+    return stateChecksum(*solver);
 }
 
 TEST(RigidSurface, BitsAreTheSameOnEveryBackend)

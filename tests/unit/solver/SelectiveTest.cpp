@@ -79,7 +79,7 @@ TEST(Selective, TheInnerNodesOfThePatchFindTheLinearField)
     const auto solver = startedSolver(model);
     solver->advance(1.5 * time, 100000);
     ASSERT_FALSE(solver->clock().failed);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             const Point p = model.mesh.points[i];
@@ -87,7 +87,7 @@ TEST(Selective, TheInnerNodesOfThePatchFindTheLinearField)
             for (std::size_t k = 0; k < 3; ++k) exact += h[c][k] * p[k];
             EXPECT_NEAR(values.at(0, i)[c] - p[c], exact, 1e-6); // 1e-3 of the largest
         }
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     for (std::size_t e = 0; e < 7; ++e)
         for (std::size_t k = 0; k < 6; ++k) // MacNeal and Harder: 2000 and 400
             EXPECT_NEAR(stress[6 * e + k], k < 3 ? 2000 : 400, 5); // large strains: 0.2 %
@@ -112,7 +112,7 @@ double bentBlock(double poisson)
     const auto solver = startedSolver(model);
     solver->advance(1, 200000);
     EXPECT_TRUE(solver->clock().settled);
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     double tip = 0;
     for (std::size_t i = 0; i < values.count; ++i)
         if (model.mesh.points[i][0] == 8 && model.mesh.points[i][2] == 1)
@@ -164,12 +164,12 @@ TEST(Selective, PlasticFlowInPlaneStrainDoesNotLock)
     const auto solver = startedSolver(model);
     solver->advance(0.5 * time, 100000);
     ASSERT_FALSE(solver->clock().failed);
-    const std::vector<double> stress = solver->elementValues().stress;
+    const std::vector<double> stress = solver->elements().values().stress;
     double mean = 0;
     for (std::size_t e = 0; e < 64; ++e) mean += stress[6 * e + 2] / 64;
     EXPECT_NEAR(mean, -2 / std::sqrt(3.0) * 285, 0.02 * 330);
-    EXPECT_LT(std::abs(solver->energies().balance), 1e-3);
-    EXPECT_EQ(solver->energies().hourglass, 0);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-3);
+    EXPECT_EQ(solver->ledger().energies().hourglass, 0);
 }
 
 } // namespace

@@ -47,13 +47,13 @@ TEST(Sliding, ForceOverFaceBordersOfAFlatTargetIsConstant)
         Model model = slider(flat, 0.3, -0.01, {1e6, 0, 0});
         model.contactPairs[0].search = search;
         const auto solver = startedSolver(model);
-        const Point first = solver->pairForce(0).force;
+        const Point first = solver->contact().force(0).force;
         EXPECT_GT(first[2], 0);
         double travelled = 0;
         while (travelled < 10) {
             solver->advance(1, 1);
             travelled += 1e6 * solver->clock().step;
-            const PairForce now = solver->pairForce(0);
+            const PairForce now = solver->contact().force(0);
             ASSERT_EQ(now.active, 4) << "after " << travelled << " mm";
             EXPECT_NEAR(now.force[2], first[2], 1e-9 * first[2]);
             EXPECT_NEAR(now.force[0], 0, 1e-9 * first[2]);
@@ -85,7 +85,7 @@ TEST(Sliding, AllButNoFrictionIsNone)
     for (double travelled = 0; travelled < 8; travelled += 1e6 * smooth->clock().step) {
         smooth->advance(1, 1);
         rough->advance(1, 1);
-        const PairForce a = smooth->pairForce(0), b = rough->pairForce(0);
+        const PairForce a = smooth->contact().force(0), b = rough->contact().force(0);
         ASSERT_EQ(a.active, b.active) << "after " << travelled << " mm";
         for (std::size_t c = 0; c < 3; ++c) {
             most = std::max(most, std::abs(a.force[c]));
@@ -94,7 +94,7 @@ TEST(Sliding, AllButNoFrictionIsNone)
     }
     EXPECT_GT(most, 100);
     EXPECT_LT(apart, 1e-11 * most);
-    EXPECT_LT(rough->pairForce(0).friction, 1e-11 * most);
+    EXPECT_LT(rough->contact().force(0).friction, 1e-11 * most);
 }
 
 TEST(Sliding, FacesOfOtherStiffnessNeitherJerkNorMakeEnergy)
@@ -105,21 +105,21 @@ TEST(Sliding, FacesOfOtherStiffnessNeitherJerkNorMakeEnergy)
         const Model model = gradedSlider(friction);
         const auto solver = startedSolver(model);
         solver->advance(1, 20); // friction slides by then
-        const double held = solver->energies().contact;
-        double last = solver->pairForce(0).force[2], travelled = 0.4, worst = 0;
-        const double start = solver->energies().friction, whole = last;
+        const double held = solver->ledger().energies().contact;
+        double last = solver->contact().force(0).force[2], travelled = 0.4, worst = 0;
+        const double start = solver->ledger().energies().friction, whole = last;
         while (travelled < 10) {
             solver->advance(1, 1);
             travelled += 1e6 * solver->clock().step;
-            ASSERT_EQ(solver->pairForce(0).active, 4);
-            const double force = solver->pairForce(0).force[2];
+            ASSERT_EQ(solver->contact().force(0).active, 4);
+            const double force = solver->contact().force(0).force[2];
             worst = std::max(worst, std::abs(force / last - 1));
             last = force;
         }
         EXPECT_LT(worst, 1e-9);
-        EXPECT_NEAR(solver->energies().contact, held, 1e-9 * held);
-        EXPECT_NEAR(solver->energies().friction - start, friction * whole * (travelled - 0.4),
-                    1e-6 * whole);
+        EXPECT_NEAR(solver->ledger().energies().contact, held, 1e-9 * held);
+        EXPECT_NEAR(solver->ledger().energies().friction - start,
+                    friction * whole * (travelled - 0.4), 1e-6 * whole);
     }
 }
 
@@ -131,15 +131,15 @@ double ridgeError(double depth, double friction, double step)
     model.contactPairs[0].friction = friction;
     model.control.fixedTimeStep = step;
     const auto solver = startedSolver(model);
-    const double start = solver->energies().total;
+    const double start = solver->ledger().energies().total;
     double worst = 0, most = 0;
     while (solver->clock().time < 8e-6) {
         solver->advance(8e-6, 10);
-        const Energies now = solver->energies();
+        const Energies now = solver->ledger().energies();
         worst = std::max(worst, std::abs(now.total - now.external - start));
         most = std::max(most, now.contact);
     }
-    EXPECT_EQ(solver->energies().friction > 0, friction > 0);
+    EXPECT_EQ(solver->ledger().energies().friction > 0, friction > 0);
     return worst / most;
 }
 
@@ -163,12 +163,12 @@ TEST(Sliding, ForceOverAGentlyCurvedTargetJumpsNoMoreThanItsNormals)
         const auto shape = [&](double x) { return sign * (x - 6) * (x - 6) / (2 * radius); };
         const double height = sign < 0 ? -0.11 : -0.02;
         const auto solver = startedSolver(slider(shape, 0.6, height, {1e6, 0, 0}));
-        Point before = solver->pairForce(0).force;
+        Point before = solver->contact().force(0).force;
         double travelled = 0, worstX = 0, worstZ = 0;
         while (travelled < 9.6) {
             solver->advance(1, 1);
             travelled += 1e6 * solver->clock().step;
-            const PairForce now = solver->pairForce(0);
+            const PairForce now = solver->contact().force(0);
             ASSERT_EQ(now.active, 4) << "after " << travelled << " mm";
             worstX = std::max(worstX, std::abs(now.force[0] - before[0]) / now.force[2]);
             worstZ = std::max(worstZ, std::abs(now.force[2] - before[2]) / now.force[2]);
@@ -183,13 +183,13 @@ TEST(Sliding, NodesThatLeaveOverAFreeEdgeOpen)
 {
     const Model model = slider(flat, 10.3, -0.01, {1e6, 0, 0});
     const auto solver = startedSolver(model);
-    const double each = solver->pairForce(0).force[2] / 4;
+    const double each = solver->contact().force(0).force[2] / 4;
     double front = 11.3;
     int last = 4;
     while (front < 14) {
         solver->advance(1, 1);
         front += 1e6 * solver->clock().step;
-        const PairForce now = solver->pairForce(0);
+        const PairForce now = solver->contact().force(0);
         EXPECT_LE(now.active, last);
         last = now.active;
         EXPECT_NEAR(now.force[2], each * now.active, 1e-9 * each);
@@ -199,7 +199,7 @@ TEST(Sliding, NodesThatLeaveOverAFreeEdgeOpen)
         const bool onTheRim = std::abs(front - 12) < 0.04 || std::abs(front - 13) < 0.04;
         EXPECT_TRUE(onTheRim || now.active == wanted) << now.active << " at " << front;
     }
-    EXPECT_EQ(solver->pairForce(0).released, 0);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
 }
 
 TEST(Sliding, NodesPushedThroughTheTargetAreReleasedAndCounted)
@@ -207,15 +207,15 @@ TEST(Sliding, NodesPushedThroughTheTargetAreReleasedAndCounted)
     const Model model = slider(flat, 5.2, 0.1, {0, 0, -1e6});
     const auto solver = startedSolver(model);
     solver->advance(0.5e-6, 100000); // 0.4 mm deep, the target is 0.5 mm thick
-    EXPECT_EQ(solver->pairForce(0).active, 4);
-    EXPECT_EQ(solver->pairForce(0).released, 0);
+    EXPECT_EQ(solver->contact().force(0).active, 4);
+    EXPECT_EQ(solver->contact().force(0).released, 0);
     solver->advance(0.7e-6, 100000); // 0.6 mm
-    EXPECT_EQ(solver->pairForce(0).active, 0);
-    EXPECT_EQ(solver->pairForce(0).force[2], 0);
-    EXPECT_EQ(solver->pairForce(0).released, 4);
+    EXPECT_EQ(solver->contact().force(0).active, 0);
+    EXPECT_EQ(solver->contact().force(0).force[2], 0);
+    EXPECT_EQ(solver->contact().force(0).released, 4);
     solver->advance(3e-6, 100000);
-    EXPECT_EQ(solver->pairForce(0).active, 0);
-    EXPECT_EQ(solver->pairForce(0).released, 4);
+    EXPECT_EQ(solver->contact().force(0).active, 0);
+    EXPECT_EQ(solver->contact().force(0).released, 4);
 }
 
 TEST(Sliding, BlockThatStartsDeepIsFoundWhereverTheCellsLie)
@@ -225,7 +225,7 @@ TEST(Sliding, BlockThatStartsDeepIsFoundWhereverTheCellsLie)
         const auto raised = [&](double) { return lift; };
         const auto solver = startedSolver(slider(raised, 5.2, lift - 0.2, {0, 0, 0}));
         solver->advance(1, 1);
-        EXPECT_EQ(solver->pairForce(0).active, 4) << "lifted by " << lift;
+        EXPECT_EQ(solver->contact().force(0).active, 4) << "lifted by " << lift;
     }
 }
 
@@ -235,10 +235,10 @@ TEST(Sliding, FrictionOfALedBlockIsItsCoefficientTimesTheForce)
     model.contactPairs[0].friction = 0.25;
     const auto solver = startedSolver(model);
     solver->advance(1, 200); // 4 mm
-    const PairForce now = solver->pairForce(0);
+    const PairForce now = solver->contact().force(0);
     EXPECT_NEAR(now.force[0], -0.25 * now.force[2], 1e-9 * now.force[2]);
     EXPECT_NEAR(now.force[1], 0, 1e-9 * now.force[2]);
-    EXPECT_NEAR(solver->energies().friction, 0.25 * now.force[2] * 4, 0.02 * now.force[2]);
+    EXPECT_NEAR(solver->ledger().energies().friction, 0.25 * now.force[2] * 4, 0.02 * now.force[2]);
 }
 
 } // namespace

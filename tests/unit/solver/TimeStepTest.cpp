@@ -105,14 +105,14 @@ TEST(TimeStep, InvertedElementFailsAndKeepsTheState)
     const std::int64_t steps = solver->clock().steps;
     EXPECT_GT(steps, 0);
     EXPECT_LT(steps, 100);
-    const std::uint64_t state = solver->stateChecksum();
+    const std::uint64_t state = stateChecksum(*solver);
     const double time = solver->clock().time;
     EXPECT_TRUE(std::isfinite(time));
-    const NodeValues values = solver->nodeValues({});
+    const NodeValues values = solver->nodes().values({});
     for (std::size_t i = 0; i < values.count; ++i)
         for (const double x : values.at(0, i)) EXPECT_TRUE(std::isfinite(x));
     solver->advance(2, 100);
-    EXPECT_EQ(solver->stateChecksum(), state);
+    EXPECT_EQ(stateChecksum(*solver), state);
     EXPECT_EQ(solver->clock().steps, steps);
     EXPECT_EQ(solver->clock().time, time);
 }
@@ -132,10 +132,12 @@ TEST(TimeStep, ForcesOfTheStopTimeStayWhenABatchPassesIt)
     int touching = 0;
     for (int k = 1; k <= 20; ++k) {
         solver->advance(k * 3.1e-7, 1000000); // stops anywhere within a batch
-        const PairForce pair = solver->pairForce(0);
-        const std::vector<Index> nodes =
-            solver->data().passes[0].contactor; // their nodal contact force is the pair's
-        const NodeValues values = solver->nodeValues(nodes);
+        const PairForce pair = solver->contact().force(0);
+        const std::vector<Index> nodes = solver->contact()
+                                             .setUp()
+                                             .passes[0]
+                                             .contactor; // their nodal contact force is the pair's
+        const NodeValues values = solver->nodes().values(nodes);
         double sum = 0;
         for (std::size_t i = 0; i < values.count; ++i) sum += values.at(4, i)[2];
         EXPECT_NEAR(sum, pair.force[2], 1e-9 * std::abs(pair.force[2])) << "stop " << k;
@@ -172,9 +174,9 @@ TEST(TimeStep, RigidPartNeedsNoDensityAndLimitsNothing)
     const auto solver = startedSolver(model);
     solver->advance(1, 30);
     EXPECT_EQ(solver->clock().failed, 0);
-    EXPECT_GT(solver->pairForce(0).force[2], 0);
+    EXPECT_GT(solver->contact().force(0).force[2], 0);
     EXPECT_GT(solver->clock().step, 1e-8);
-    EXPECT_LT(std::abs(solver->energies().balance), 0.01);
+    EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
 } // namespace

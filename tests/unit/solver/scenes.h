@@ -32,7 +32,7 @@ twoBlocks(const Part& upper, const Part& lower, Point velocity, double friction,
 inline double largestStress(Solver& solver)
 {
     double most = 0;
-    for (const double s : solver.elementValues().stress) most = std::max(most, std::abs(s));
+    for (const double s : solver.elements().values().stress) most = std::max(most, std::abs(s));
     return most;
 }
 

@@ -2,12 +2,13 @@
 
 #include "kernels/contact/Tracking.h"
 #include "parallel/CpuExecutor.h"
-#include "solver/ContactState.h"
+#include "solver/contact/PassView.h"
+#include "solver/contact/searchPass.h"
 
 #include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <memory>
 
 namespace fpm::test {
 
@@ -43,14 +44,14 @@ public:
         }
         data_.nodeCount = Index(queries.size());
         data_.ownFaceStart.assign(queries.size() + 1, 0); // no faces of their own: no filter
-        state_.emplace(data_);
+        fields_ = std::make_unique<PassFields>(data_, hostMemory(), NumberTypes{});
         upload();
     }
 
     void search()
     {
         CpuExecutor<64> executor(1, 0);
-        searchPass(executor, view(), state_->cells(data_), search_ == ContactSearch::faces,
+        searchPass(executor, view(), cellsOf(data_, *fields_), search_ == ContactSearch::faces,
                    {nullptr, nullptr, nullptr});
     }
 
@@ -58,10 +59,10 @@ public:
     Tracked<double> follow(Index query)
     {
         const Pair pair = view();
-        const auto now = FaceTracker<DoublePrecision>{pair, state_->cells(data_)}.follow(query);
-        state_->face.data()[query] = now.face;
-        state_->xi.data()[query] = now.xi;
-        state_->eta.data()[query] = now.eta;
+        const auto now = FaceTracker<DoublePrecision>{pair, cellsOf(data_, *fields_)}.follow(query);
+        fields_->face.data()[query] = now.face;
+        fields_->xi.data<double>()[query] = now.xi;
+        fields_->eta.data<double>()[query] = now.eta;
         return now;
     }
 
@@ -92,7 +93,7 @@ public:
         });
         return out;
     }
-    Index faceOf(Index query) const { return state_->face.data()[query]; }
+    Index faceOf(Index query) const { return fields_->face.data()[query]; }
     double squareTo(Index query, Index face)
     {
         const Pair pair = view();
@@ -110,17 +111,17 @@ public:
         upload();
     }
     const ContactPassSetup& data() const { return data_; }
-    std::int64_t count(PassCount which) const { return state_->counts.data()[which]; }
+    std::int64_t count(PassCount which) const { return fields_->counts.data()[which]; }
 
 private:
     Pair view()
     {
-        Pair pair = state_->view(data_);
+        Pair pair = surfaceView<DoublePrecision>(data_, *fields_);
         pair.position = position_.data();
         pair.nodeStride = points_.size();
         return pair;
     }
-    void upload() { position_ = planes<double>(points_); }
+    void upload() { position_ = planesOf(points_); }
     double areaOf(const std::array<Index, 4>& face) const
     {
         const auto at = [&](std::size_t k) {
@@ -134,7 +135,7 @@ private:
     std::vector<Point> points_;
     ContactSearch search_;
     ContactPassSetup data_;
-    std::optional<ContactPassState<DoublePrecision, CpuExecutor<64>>> state_;
+    std::unique_ptr<PassFields> fields_;
     std::vector<double> position_;
 };
 

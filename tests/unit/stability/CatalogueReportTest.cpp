@@ -115,8 +115,8 @@ TEST(Catalogue, JudgesByLimitAndWordsAndCatchesWhatBeginsToHold)
 TEST(Catalogue, WritesItsTableAndPicture)
 {
     const test::TemporaryFolder folder;
-    fpm::Run run(Case::none(), Log::quiet(), {});
-    runCatalogue(run, "grooveNode,rigidOnRigid", folder.path().string(), 2);
+    Log log = Log::quiet();
+    runCatalogue("grooveNode,rigidOnRigid", folder.path().string(), 2, log);
     const Table table = readTable(folder.path() / "failures.dat");
     EXPECT_EQ(table.rows.size(), 4u);
     for (const double expected : table.values("expected")) EXPECT_EQ(expected, 1);

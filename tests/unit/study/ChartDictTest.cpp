@@ -1,6 +1,6 @@
 #include "study/ChartDict.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 #include "unit/model/Refusal.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "study/ChartProposal.h"
 
 #include "study/CaseSurvey.h"
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 #include "unit/model/Refusal.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "study/Chart.h"
 
 #include "study/ChartReport.h"
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 #include "unit/model/Refusal.h"
 #include "unit/study/fakePrograms.h"
 

@@ -1,6 +1,6 @@
 #include "study/Study.h"
 
-#include "unit/application/TemporaryCase.h"
+#include "unit/case/TemporaryCase.h"
 #include "unit/study/fakePrograms.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +110,12 @@ TEST_F(StudyTest, RepeatsWhatHasChangedAndNotWhatSaysTheSame)
     programs_.write("fpmMesh", "#!/bin/sh\n# another build\n");
     const Pipeline other(programs_.path());
     EXPECT_NE(other.key(), pipeline_.key());
+
+    const std::string head = "#!/bin/sh\n# fpm revision: ", rest(43, '.');
+    programs_.write("fpmMesh", head + "1a2b3c4" + rest + "\n");
+    const std::string commit = Pipeline(programs_.path()).key();
+    programs_.write("fpmMesh", head + "5d6e7f8" + rest + "\n");
+    EXPECT_EQ(Pipeline(programs_.path()).key(), commit) << "another commit of the same program";
 }
 
 TEST_F(StudyTest, ForgetsTheRunWhoseFolderIsUsedAgain)

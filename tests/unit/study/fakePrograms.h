@@ -22,8 +22,8 @@ public:
 n=$(sed -n 's/^n \([0-9]*\);.*/\1/p' system/controlDict)
 [ "$n" -le 100 ] || exit $((n - 100))
 mkdir -p postProcessing/performance/0 postProcessing/tip/0 1e-3
-echo "{ \"elements\": $((n * n * n)), \"steps\": $((10 * n)), \"nsPerElementStep\": 12.5 }" \
-    > postProcessing/performance/0/performance.json
+echo "elements $((n * n * n)); steps $((10 * n)); nsPerElementStep 12.5;" \
+    > postProcessing/performance/0/performance
 echo frame > 1e-3/fields.vtkhdf
 awk -v n="$n" 'BEGIN { print "# time y"
     for (i = 0; i <= 10; ++i) printf "%.17g %.17g\n", i / 10, i / 10 + 1 / n^2 }' \

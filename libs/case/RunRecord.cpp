@@ -1,0 +1,48 @@
+#include "case/RunRecord.h"
+
+#include "base/Error.h"
+#include "base/Machine.h"
+#include "case/PreviousRun.h"
+#include "io/AtomicFile.h"
+
+namespace fpm {
+
+RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log)
+    : root_(std::move(caseRoot))
+{
+    clearForRun(root_, previousRun, log);
+    status_.runId = makeRunId();
+    status_.process = processNumber();
+    status_.host = hostName();
+    status_.started = utcDate();
+    writeFileAtomically(root_ / "status", status_.text());
+    log.line("run " + status_.runId);
+}
+
+void RunRecord::renew(double time, std::int64_t steps, Log& log)
+{
+    take(RunState::running, time, steps);
+    try {
+        renewFile(root_ / "status", status_.text());
+    } catch (const Error& error) {
+        if (!warned_) log.warning(std::string("status is not up to date: ") + error.what());
+        warned_ = true;
+    }
+}
+
+void RunRecord::end(RunState state, double time, std::int64_t steps)
+{
+    take(state, time, steps);
+    writeFileAtomically(root_ / "status", status_.text());
+}
+
+void RunRecord::take(RunState state, double time, std::int64_t steps)
+{
+    status_.state = state;
+    status_.time = time;
+    status_.steps = steps;
+    status_.wallSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+} // namespace fpm

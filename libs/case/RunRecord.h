@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/Log.h"
+#include "case/RunStatus.h"
+
+#include <chrono>
+
+namespace fpm {
+
+/// Record of a run in its case: an id, and the file `status` during the run and at its end.
+class RunRecord
+{
+public:
+    /// Sets aside what an earlier run left, as controlDict.previousRun says, and writes `status`.
+    RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log);
+
+    const std::string& id() const { return status_.runId; }
+    /// Entries that `status` has from now on beside its own: "findings 1;\n".
+    void tell(const std::string& entries) { status_.more = entries; }
+    /// Writes `status` again. Called about once a second; a failure is reported once and does not
+    /// stop the run.
+    void renew(double time, std::int64_t steps, Log& log);
+    void end(RunState state, double time, std::int64_t steps);
+
+private:
+    void take(RunState state, double time, std::int64_t steps);
+
+    std::filesystem::path root_;
+    RunStatus status_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    bool warned_ = false;
+};
+
+} // namespace fpm

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/Log.h"
+#include "solver/Solver.h"
+
+#include <filesystem>
+
+namespace fpm {
+
+/// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
+/// the PerformanceRecord of the run.
+void reportPerformance(Solver& solver,
+                       const Model& model,
+                       const std::filesystem::path& caseRoot,
+                       const std::string& runId,
+                       Log& log);
+
+/// One line on the mass that mass scaling adds; none where there is none.
+void reportMassScaling(const Solver& solver, Log& log);
+
+/// "element 17 of part rod: ..." with the smallest stable step, or the one that inverted.
+std::string worstElement(Solver& solver, const Model& model);
+
+/// What bounds the present time step: an element, or the node of a contact pair whose springs are
+/// the stiffest for its mass.
+std::string stepLimit(Solver& solver, const Model& model);
+
+/// Logs of every contact pair: nodes in contact, stiffness, energy held and lost; warns of
+/// released nodes.
+void reportPairs(Solver& solver, const Model& model, Log& log);
+
+} // namespace fpm

@@ -1,0 +1,51 @@
+#include "solver/SolverFields.h"
+
+#include "base/Error.h"
+#include "base/Format.h"
+
+namespace fpm {
+
+SolverFields::SolverFields(const SolverSetUp& setUp,
+                           const std::vector<Point>& points,
+                           const Memory& memory,
+                           const NumberTypes& numbers)
+    : clock(memory, numbers),
+      elements(setUp.elements, std::size_t(setUp.nodes.interiorEnd), memory, numbers),
+      nodes(setUp.nodes, points, memory, numbers),
+      bodies(setUp.bodies, memory, numbers),
+      contact(setUp.contact, memory, numbers)
+{
+}
+
+std::vector<FieldSet*> SolverFields::sets()
+{
+    std::vector<FieldSet*> out{&clock, &elements, &nodes, &bodies, &contact, &ledger};
+    for (const auto& pass : contact.passes) out.push_back(pass.get());
+    for (const auto& lists : contact.passLists) out.push_back(lists.get());
+    return out;
+}
+
+std::size_t SolverFields::bytes()
+{
+    std::size_t sum = 0;
+    for (const FieldSet* set : sets()) sum += set->bytes();
+    return sum;
+}
+
+std::vector<FieldSet::Images> SolverFields::state()
+{
+    std::vector<FieldSet::Images> out;
+    for (const FieldSet* set : sets()) out.push_back(set->images(Role::state));
+    return out;
+}
+
+void SolverFields::restore(const std::vector<FieldSet::Images>& state)
+{
+    const std::vector<FieldSet*> now = sets();
+    if (state.size() != now.size())
+        throw Error(ExitCode::internal,
+                    format("{} sets of fields and {} of them stored", now.size(), state.size()));
+    for (std::size_t set = 0; set < now.size(); ++set) now[set]->setImages(Role::state, state[set]);
+}
+
+} // namespace fpm

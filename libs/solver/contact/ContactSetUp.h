@@ -1,0 +1,54 @@
+#pragma once
+
+#include "kernels/contact/RigidSurface.h"
+#include "model/Model.h"
+
+namespace fpm {
+
+/// One pass of a contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
+struct ContactPassSetup {
+    std::size_t pair = 0;  ///< number in the model
+    bool reversed = false; ///< second pass: the target's nodes are the contactors
+    ContactSearch search = ContactSearch::faces;
+    ContactProjection projection = ContactProjection::tracked;
+    ContactLaw law;
+    Index surface = -1;      ///< analytic target, in SolverSetUp::surfaces; it has no faces
+    double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
+    double meanFaceSize = 0; ///< square root of the mean target face area
+    double reach = 0;        ///< distance at which faces are tracked
+    double cellSize = 0;
+    Index levels = 1;      ///< of cells, each twice as wide as the one before
+    Index nodeCount = 0;   ///< contactor nodes; each is `slots` contactors
+    bool forgives = false; ///< initial overlap makes no force
+    double fadeTime = 0;   ///< > 0: for a time only
+    std::vector<Index> contactor, ownFaceStart, ownFaces, ownFaceNode;
+    std::vector<Index> faceNode, nextAround, neighbour;
+    std::vector<double> mirrorNormal; ///< [3 * k]: of plane k of mirrorPlanes, mirrorEdge(k)
+    std::vector<double> faceStiffness, faceThickness, faceMass;
+    bool unequalFaces = false;              ///< in stiffness, by more than rounding
+    bool mayLeave = false;                  ///< contactors, as their face may be deleted
+    std::vector<double> contactorStiffness; ///< empty where the faces' alone count
+    std::vector<double> contactorMass;
+    std::vector<std::uint8_t> mirrors;       ///< planes of symmetry a contactor lies on, a bit each
+                                             ///< as mirrorNormal; empty: none
+    std::vector<Index> target, targetCorner; ///< nodes, and a corner of a face at each
+    std::vector<Index> excludedStart, excluded;           ///< empty: none
+    std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
+    std::vector<std::uint8_t> mayMeet;
+    Index components = 1;
+};
+
+/// Passes of all contact pairs and the nodes they act on, in the layout of the kernels.
+struct ContactSetUp {
+    std::vector<ContactPassSetup> passes;
+    std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
+    std::vector<Index> nodes;           ///< node of each contact node
+    std::vector<Index> numberOf;        ///< of each node among them, -1; empty without contact
+    ForceScale scale;
+};
+
+/// Completes a pass from its faces, their thickness and contactors: neighbours, faces around nodes,
+/// reach and cells.
+void addTopology(ContactPassSetup& pass, const std::vector<Point>& points);
+
+} // namespace fpm

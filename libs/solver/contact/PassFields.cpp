@@ -1,0 +1,95 @@
+#include "solver/contact/PassFields.h"
+
+#include "kernels/contact/PassSums.h"
+#include "kernels/contact/Search.h"
+
+namespace fpm {
+
+bool hasDamping(const ContactPassSetup& pass)
+{
+    return pass.law.normalDamping > 0;
+}
+
+bool hasFriction(const ContactPassSetup& pass)
+{
+    return pass.law.friction > 0;
+}
+
+bool hasConvectedFriction(const ContactPassSetup& pass)
+{
+    return hasFriction(pass) && !pass.law.paperFriction && pass.surface < 0;
+}
+
+PassFields::PassFields(const ContactPassSetup& setUp,
+                       const Memory& memory,
+                       const NumberTypes& numbers)
+    : FieldSet("contact pass", memory, numbers)
+{
+    contactor.assign(setUp.contactor);
+    ownFaceStart.assign(setUp.ownFaceStart);
+    ownFaces.assign(setUp.ownFaces);
+    ownFaceNode.assign(setUp.ownFaceNode);
+    faceNode.assign(setUp.faceNode);
+    nextAround.assign(setUp.nextAround);
+    neighbour.assign(setUp.neighbour);
+    if (setUp.search == ContactSearch::closestParticle) targetCorner.assign(setUp.targetCorner);
+    excludedStart.assign(setUp.excludedStart);
+    excluded.assign(setUp.excluded);
+    faceComponent.assign(setUp.faceComponent);
+    contactorComponent.assign(setUp.contactorComponent);
+    mayMeet.assign(setUp.mayMeet);
+    mirrors.assign(setUp.mirrors);
+    mirrorNormal.assign(setUp.mirrorNormal);
+    faceStiffness.assign(setUp.faceStiffness);
+    faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
+    contactorStiffness.assign(setUp.contactorStiffness);
+    if (hasDamping(setUp)) {
+        contactorMass.assign(setUp.contactorMass);
+        faceMass.assign(setUp.faceMass);
+    }
+    allocateState(setUp);
+    allocateCells(setUp);
+}
+
+/// Values that a pass has no use for have no memory.
+void PassFields::allocateState(const ContactPassSetup& setUp)
+{
+    const std::size_t count = setUp.contactor.size();
+    const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(count)));
+    const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
+               damping = hasDamping(setUp), analytic = setUp.surface >= 0;
+    ownNormal.resize(3 * std::size_t(setUp.nodeCount));
+    face.assign(std::vector<Index>(count, noFace));
+    frictionFace.assign(std::vector<Index>(convected ? count : 0, noFace));
+    around.resize(count);
+    xi.resize(count);
+    eta.resize(count);
+    friction.resize(rough ? (convected ? 2 : 3) * count : 0);
+    heldStiffness.resize(setUp.unequalFaces ? count : 0);
+    overlap.resize(count);
+    force.resize(analytic ? 0 : BlockForce::values * blocks);
+    contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
+    surfaceForce.resize(analytic ? 3 * count : 0);
+    spring.resize(count);
+    dampingForce.resize(damping ? count : 0);
+    dissipated.resize(rough ? count : 0);
+    damped.resize(damping ? count : 0);
+    surfaceWork.resize(analytic ? count : 0);
+    injected.resize(setUp.fadeTime > 0 ? 2 * count : 0);
+    counts.resize(passCounts);
+    sums.resize(passSums * blocks);
+}
+
+void PassFields::allocateCells(const ContactPassSetup& setUp)
+{
+    const bool faces = setUp.search == ContactSearch::faces;
+    entries.resize(faces ? setUp.faceThickness.size() : setUp.target.size());
+    // The middles of several faces lie in one cell; of target nodes it may be one.
+    const std::size_t lists = (faces ? 1 : 2) * entries.size();
+    std::uint32_t size = 16;
+    while (size < lists) size *= 2;
+    cellMask = size - 1;
+    head.resize(std::size_t(size) + std::size_t(setUp.levels) + 1);
+}
+
+} // namespace fpm

@@ -1,0 +1,179 @@
+#include "solver/contact/Penalties.h"
+
+#include "mesh/Quality.h"
+#include "mesh/Surface.h"
+#include "solver/contact/MirrorPlanes.h"
+#include "solver/elements/ElementStep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace fpm {
+
+namespace {
+
+/// K A^2 / V of the element behind a side: the penalty of Hallquist et al. 1985. 0: rigid.
+double penalty(const Model& model, const ElementSide& side)
+{
+    const Part& part = model.parts[std::size_t(model.mesh.partOf(side.element))];
+    if (isRigid(part.kind)) return 0;
+    const double bulk = part.youngsModulus / (3 * (1 - 2 * part.poissonsRatio));
+    const double a = area(model.mesh, side);
+    return bulk * a * a / volume(model.mesh, side.element);
+}
+
+/// 0: nothing can move the node.
+double massOf(const SolverSetUp& data, Index node)
+{
+    return (data.nodes.fixed[std::size_t(node)] & imposedNode) ? 0
+                                                               : data.nodes.mass[std::size_t(node)];
+}
+
+/// Mass of the lightest corner of a face that can be moved; 0: none can.
+double faceMass(const SolverSetUp& data, const ContactPassSetup& pass, std::size_t face)
+{
+    double least = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double mass = massOf(data, pass.faceNode[4 * face + k]);
+        if (mass > 0 && (least == 0 || mass < least)) least = mass;
+    }
+    return least;
+}
+
+/// Mean K A^2 / V of the contactor's own sides around each of its nodes.
+std::vector<double> ownStiffness(const Model& model,
+                                 const std::vector<Index>& nodes,
+                                 const std::vector<ElementSide>& own)
+{
+    std::map<Index, std::pair<double, int>> around;
+    for (const ElementSide& side : own)
+        for (const Index node : model.mesh.sideNodes(side)) {
+            around[node].first += penalty(model, side);
+            ++around[node].second;
+        }
+    std::vector<double> out;
+    for (const Index node : nodes) {
+        const auto& [sum, count] = around[node];
+        out.push_back(count > 0 ? sum / count : 0);
+    }
+    return out;
+}
+
+/// The planes a contactor lies on, a bit each. On one it is half a node, on two a quarter: it gets
+/// as much of the stiffness and has no friction across, so that half a model meets as the whole one
+/// does.
+std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>& contactors)
+{
+    const std::vector<MirrorPlane> planes = mirrorPlanes(model);
+    std::vector<std::uint8_t> out;
+    bool any = false;
+    for (const Index node : contactors) {
+        unsigned on = 0;
+        for (std::size_t plane = 0; plane < planes.size(); ++plane)
+            on |= unsigned(planes[plane].holds[std::size_t(node)]) << plane;
+        out.push_back(std::uint8_t(on));
+        any |= on > 0;
+    }
+    return any ? out : std::vector<std::uint8_t>{};
+}
+
+} // namespace
+
+void addPenalty(ContactPassSetup& out,
+                const SolverSetUp& data,
+                const Model& model,
+                const ContactPair& pair,
+                const std::vector<ElementSide>& own,
+                const std::vector<ElementSide>& target,
+                double share)
+{
+    const double scale = share * pair.normalScale;
+    out.mirrors = mirrorsOf(model, out.contactor);
+    for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
+    for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
+        out.faceMass.push_back(faceMass(data, out, face));
+    if (pair.penalty == PenaltyRule::mass) {
+        const double step = firstElementStep(data.elements, model), perMass = scale / (step * step);
+        for (const double mass : out.contactorMass)
+            out.contactorStiffness.push_back(perMass * mass);
+        for (const double mass : out.faceMass) out.faceStiffness.push_back(perMass * mass);
+        return;
+    }
+    for (const ElementSide& side : target)
+        out.faceStiffness.push_back(scale * penalty(model, side));
+    const bool rigidFaces =
+        out.faceStiffness.empty()
+        || *std::min_element(out.faceStiffness.begin(), out.faceStiffness.end()) <= 0;
+    if (pair.penalty == PenaltyRule::target && !rigidFaces) return;
+    for (const double stiffness : ownStiffness(model, out.contactor, own))
+        out.contactorStiffness.push_back(scale * stiffness);
+}
+
+double largestStiffness(const ContactPassSetup& pass)
+{
+    double most = 0;
+    for (const double k : pass.faceStiffness) most = std::max(most, k);
+    for (const double k : pass.contactorStiffness) most = std::max(most, k);
+    return most;
+}
+
+double dampingLimit(const ContactLaw& law)
+{
+    const double z = law.normalDamping, root = std::sqrt(1 + z * z) + z;
+    return root * root;
+}
+
+Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplitudeRows)
+{
+    const bool byVelocity = surface.motion == RigidSurface::Motion::velocity;
+    return makeCondition(byVelocity ? ConditionKind::velocity : ConditionKind::displacement,
+                         surface.value, surface.amplitude, amplitudeRows);
+}
+
+SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows)
+{
+    using Kind = RigidSurface::Kind;
+    using Motion = RigidSurface::Motion;
+    SurfaceShape out{};
+    out.kind = surface.kind == Kind::plane      ? SurfaceShape::plane
+               : surface.kind == Kind::cylinder ? SurfaceShape::cylinder
+                                                : SurfaceShape::sphere;
+    out.inside = surface.inside;
+    out.bounded = surface.kind == Kind::cylinder && !surface.infinite;
+    out.moves = surface.motion != Motion::none;
+    out.point = {surface.point[0], surface.point[1], surface.point[2]};
+    out.axis = {surface.axis[0], surface.axis[1], surface.axis[2]};
+    out.length = surface.length;
+    out.radius = surface.radius;
+    out.motion = surfaceMotion(surface, amplitudeRows);
+    return out;
+}
+
+ContactPassSetup makeSurfacePair(const SolverSetUp& data,
+                                 const Model& model,
+                                 const ContactPair& pair,
+                                 const std::vector<ElementSide>& own)
+{
+    ContactPassSetup out;
+    out.law = pair;
+    out.surface = pair.surface;
+    out.contactor = pair.contactorNodes;
+    out.nodeCount = Index(out.contactor.size());
+    addPenalty(out, data, model, pair, own, {}, 1);
+    double areas = 0;
+    for (const ElementSide& side : own) areas += area(model.mesh, side);
+    if (!own.empty()) out.meanFaceSize = std::sqrt(areas / double(own.size()));
+    out.reach = 0.25 * out.meanFaceSize;
+    // A half space has no thickness: no deeper than the whole mesh is large.
+    Point low = model.mesh.points.front(), high = low;
+    for (const Point& p : model.mesh.points)
+        for (std::size_t c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], p[c]);
+            high[c] = std::max(high[c], p[c]);
+        }
+    out.deepest = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return out;
+}
+
+} // namespace fpm

@@ -1,0 +1,116 @@
+#include "unit/solver/kindScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace fpm::test {
+namespace {
+
+/// Whether the fields that are declared as state are all that the next step reads: a solver that is
+/// given them goes on with the same bits.
+struct Outcome {
+    std::uint64_t checksum;
+    Energies energies;
+    NodalWorks works;
+    std::vector<double> forces;
+    std::int64_t searches;
+};
+
+Outcome outcomeOf(Solver& solver, const Model& model)
+{
+    Outcome out{stateChecksum(solver),
+                solver.ledger().energies(),
+                solver.ledger().nodalWorks(),
+                {},
+                solver.times().searches};
+    for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
+        for (const double f : solver.contact().force(pair).force) out.forces.push_back(f);
+    return out;
+}
+
+/// Stored while the bodies touch, after `steps`.
+void goesOnWithTheSameBits(const Model& model, bool audit = false, std::int64_t steps = 150)
+{
+    const auto whole = makeSolver(model, audit);
+    whole->start();
+    whole->advance(1, steps);
+    EXPECT_GT(whole->contact().force(0).active, 0);
+    const std::vector<FieldSet::Images> state = whole->fields().state();
+    whole->advance(1, 60);
+    const auto resumed = makeSolver(model, audit);
+    resumed->fields().restore(state);
+    EXPECT_EQ(resumed->clock().steps, steps);
+    resumed->advance(1, 60);
+
+    const Outcome expected = outcomeOf(*whole, model), found = outcomeOf(*resumed, model);
+    EXPECT_EQ(found.checksum, expected.checksum);
+    EXPECT_EQ(found.energies.total, expected.energies.total);
+    EXPECT_EQ(found.energies.external, expected.energies.external);
+    EXPECT_EQ(found.energies.balance, expected.energies.balance);
+    EXPECT_EQ(found.energies.friction, expected.energies.friction);
+    EXPECT_EQ(found.works.contact, expected.works.contact);
+    EXPECT_EQ(found.works.damping, expected.works.damping);
+    EXPECT_EQ(found.forces, expected.forces);
+    EXPECT_EQ(found.searches, expected.searches);
+}
+
+Model impact()
+{
+    Model model =
+        twoBlocks(aluminium(PartKind::elastoplastic, HourglassForm::physical),
+                  aluminium(PartKind::elastic, HourglassForm::stiffness), {3e4, -2e4, -1e5}, 0.3);
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
+    return model;
+}
+
+TEST(State, OfAnImpactWithFrictionIsWhole)
+{
+    for (const Precision precision : {Precision::double_, Precision::mixed, Precision::single}) {
+        Model model = impact();
+        model.control.precision = precision;
+        goesOnWithTheSameBits(model);
+    }
+}
+
+TEST(State, OfContactOptionsIsWhole)
+{
+    Model model = impact();
+    ContactPair& pair = model.contactPairs[0];
+    pair.passes = 2;
+    pair.normalDamping = 0.2;
+    goesOnWithTheSameBits(model);
+    pair.paperFriction = true;
+    pair.initialOverlap = InitialOverlap::ramp;
+    pair.rampTime = 1e-4;
+    model.control.searchInterval = 7;
+    goesOnWithTheSameBits(model);
+    pair.search = ContactSearch::closestParticle;
+    goesOnWithTheSameBits(model);
+}
+
+TEST(State, OfAuditedWorksAndDampingIsWhole)
+{
+    Model model = impact();
+    model.control.massDamping = 50;
+    goesOnWithTheSameBits(model, true);
+    model.control.massDamping = 0;
+    model.control.relaxationTolerance = 1e-12;
+    goesOnWithTheSameBits(model);
+}
+
+TEST(State, OfAFreeRigidBodyIsWhole)
+{
+    Model model = impact();
+    model.parts[0].kind = PartKind::rigidFree;
+    goesOnWithTheSameBits(model, false, 60);
+}
+
+TEST(State, IsRefusedByAnotherModel)
+{
+    const auto solver = makeSolver(impact());
+    Model without = impact();
+    without.contactPairs.clear();
+    EXPECT_THROW(makeSolver(without)->fields().restore(solver->fields().state()), Error);
+}
+
+} // namespace
+} // namespace fpm::test
