@@ -34,7 +34,7 @@ std::vector<std::string> chosenKinds(const AdviseOptions& options)
         if (std::find(kinds.begin(), kinds.end(), word) == kinds.end()) {
             std::string valid;
             for (const std::string& kind : kinds) valid += (valid.empty() ? "" : ", ") + kind;
-            throw Error(ExitCode::commandLine, format("-apply knows no '{}'", word),
+            throw Error(ExitCode::commandLine, format("-apply has no kind '{}'", word),
                         "valid: " + valid);
         }
     if (options.apply.has_value() != options.to.has_value())
@@ -43,7 +43,7 @@ std::vector<std::string> chosenKinds(const AdviseOptions& options)
     return chosen;
 }
 
-/// What of the advice is asked for; a kind nothing was found of is an error.
+/// Advice of the requested kinds; a kind without any is an error.
 std::vector<Advice> chosenAdvice(const std::vector<Advice>& advice,
                                  const std::vector<std::string>& kinds)
 {

@@ -7,7 +7,7 @@
 
 namespace fpm {
 
-/// What fpmAdvise is asked for, as on its command line.
+/// Options of fpmAdvise, as on its command line.
 struct AdviseOptions {
     std::optional<std::string> pilot; ///< share of endTime, in (0, 1]: run a copy for results
     bool measure = false;             ///< run the case without and with each piece of advice
@@ -15,8 +15,8 @@ struct AdviseOptions {
     std::optional<std::string> to;    ///< its folder; goes with `apply`
 };
 
-/// Looks, prints what it advises, and does what the options ask for. Throws Error(commandLine) for
-/// options that mean nothing.
+/// Examines the case, prints the advice, and carries out what the options demand. Throws
+/// Error(commandLine) for options that mean nothing.
 void advise(const Case& theCase, const AdviseOptions& options, Log& log);
 
 } // namespace fpm

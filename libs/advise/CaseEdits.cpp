@@ -31,8 +31,8 @@ std::set<std::string> macrosOf(const std::string& text)
     return names;
 }
 
-/// A value of the top that nobody uses any more would be an unknown keyword. In controlDict, where
-/// values of the top are read for themselves, nothing is touched.
+/// An unused value at the top level would be an unknown keyword. In controlDict, whose values at
+/// the top level are read as entries, nothing is removed.
 void removeOrphans(const std::filesystem::path& root,
                    const std::string& file,
                    const std::set<std::string>& before)

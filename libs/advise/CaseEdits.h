@@ -8,7 +8,7 @@
 
 namespace fpm {
 
-/// Changes of the dictionaries of a copy of a case, and what its user must know of them.
+/// Changes of the dictionaries of a copy of a case, and notes for its user.
 struct CaseEdits {
     struct Removal {
         std::string file, path, note;

@@ -27,7 +27,8 @@ struct Content {
     Amplitude amplitude;
     std::vector<Row> rows;   ///< held or driven directions; else the vector of a load
     std::vector<Row> turns;  ///< rotations held
-    std::vector<Point> line; ///< rotation: foot of the axis from the origin, axis times angle
+    std::vector<Point> line; ///< rotation: point of the axis nearest to the origin, axis times
+                             ///< angle
 };
 
 Row canonical(Row row)
@@ -47,7 +48,7 @@ void sortRows(std::vector<Row>& rows)
               [](const Row& a, const Row& b) { return a.direction < b.direction; });
 }
 
-/// Foot of the perpendicular from the origin, so that every point of a line gives the same.
+/// Point of a line nearest to the origin: the same for every point that defines the line.
 std::vector<Point> lineOf(const std::array<Point, 2>& line, double angle)
 {
     const double along = vector::dot(line[0], line[1]);

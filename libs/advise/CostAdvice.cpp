@@ -47,7 +47,7 @@ std::optional<Advice> hourglassAdvice(const Model& model, const std::optional<Re
                   "of the radius of tutorials/taylorBar, whatever the mesh)",
                   "nothing; it costs up to a third more time an element, for a result that is "
                   "right on a coarse mesh",
-                  "the result changes: that is what it is for; -measure tells by how much",
+                  "the result changes: that is its purpose; -measure shows by how much",
                   {},
                   false};
     std::vector<std::string> names;
@@ -83,14 +83,14 @@ std::optional<Advice> contactStepAdvice(const Model& model, const Results& resul
         format("the run made {} times the steps that its elements need: contact springs "
                "bound them{}",
                toText(times, 3), last),
-        format("up to {} % of the steps; -measure tells", toText(100 * (1 - 1 / times), 2)),
+        format("up to {} % of the steps; -measure shows it", toText(100 * (1 - 1 / times), 2)),
         "",
         {},
         true};
     if (control.contactStepLimit < 1) {
         advice.subject = format("timeStep.contactLimit 1 instead of {}", control.contactStepLimit);
-        advice.price = "a touch may make energy: the energy balance tells whether it holds; softer "
-                       "springs (normalScale) are the other way, and sink deeper";
+        advice.price = "closing contacts may create energy: see the energy balance; softer "
+                       "springs (normalScale) are the alternative, with deeper penetration";
         advice.edits.set("system/controlDict", "timeStep.contactLimit", "1");
         return advice;
     }
@@ -134,12 +134,12 @@ std::optional<Advice> threadsAdvice(const Model& model, int cores)
         advice.reason = format("this machine has {} cores: threads without one hold up the others "
                                "in every step",
                                cores);
-        advice.saving = "most of the time; -measure tells";
+        advice.saving = "most of the time; -measure shows it";
     } else if (control.backend == "serial" && cores > 1 && elements >= manyElements) {
         advice.subject = "backend openmp, threads 0";
         advice.reason = format("{} elements on one of {} cores; 0 follows those that are idle",
                                elements, cores);
-        advice.saving = "with two idle cores 1.3 to 1.9 times the speed; -measure tells";
+        advice.saving = "with two idle cores 1.3 to 1.9 times the speed; -measure shows it";
         advice.edits.set("system/controlDict", "backend", "openmp");
     } else
         return {};

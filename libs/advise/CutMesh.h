@@ -28,8 +28,8 @@ private:
     double tolerance_;
 };
 
-/// The kept elements with their nodes, moved onto the planes exactly, and what of the sets is kept;
-/// numbered anew, without contact surfaces.
+/// The elements kept with their nodes, moved onto the planes exactly, and the kept part of the
+/// sets; renumbered, without contact surfaces.
 Mesh cutMesh(const Mesh& mesh, const Cut& cut);
 
 } // namespace fpm

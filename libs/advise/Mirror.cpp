@@ -16,7 +16,7 @@ std::string placeText(const Mesh& mesh, Index node)
     return format("node {} at ({} {} {})", node, p[0], p[1], p[2]);
 }
 
-/// Nodes by place: cells far larger than the tolerance, so that most look-ups see one cell.
+/// Nodes by position: cells far larger than the tolerance, so that most queries visit one cell.
 class NodeFinder
 {
 public:
@@ -150,7 +150,7 @@ void matchElements(const Mesh& mesh, const MeshPart& part, ElementAxes axes, Mir
             if (sameDirection(nodes, other, d)) continue;
             map.obstacle =
                 format("element {} of part {} and its image have their {} axes in other "
-                       "directions, and the part's rotation or hourglass form tells them apart",
+                       "directions, and the part's rotation or hourglass form distinguishes them",
                        e, part.name,
                        d == 0   ? "xi"
                        : d == 1 ? "eta"

@@ -42,8 +42,8 @@ struct MirrorMap {
     ElementSide image(const Mesh& mesh, const ElementSide& side) const;
 };
 
-/// Largest distance of a node from its image that still counts as none: 1e-9 of the mesh's
-/// diagonal, so that an imperfection somebody meant stays one.
+/// Largest distance between a node and its image that counts as zero: 1e-9 of the mesh's diagonal,
+/// so that an intended imperfection is not symmetric.
 double mirrorTolerance(const Mesh& mesh);
 
 /// Matches nodes and elements part by part, each part with itself. Refuses planes that pass through

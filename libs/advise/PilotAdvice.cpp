@@ -144,7 +144,7 @@ private:
                  format("its elements ({} % of all), and its time step where it is the shortest",
                         toText(100 * model_.mesh.parts[p].elementCount / all, 3)),
                  "stress waves in it are lost, the other side alone gives the contact stiffness; "
-                 "-measure tells how much that is",
+                 "-measure shows how much that is",
                  rigidEdits(part.name), false});
             advice_.back().part = part.name;
         }
@@ -164,7 +164,7 @@ private:
                 {"elastic", format("part {} stays elastic", part.name),
                  format("Mises at most {}, {} of the first yield stress {}, no plastic strain ({})",
                         seen.mises, percent(seen.mises / yield), yield, seen_),
-                 format("radial return and plastic state of {} elements; -measure tells",
+                 format("radial return and plastic state of {} elements; -measure shows it",
                         model_.mesh.parts[p].elementCount),
                  "none while it does not yield; what happens between the frames was not seen",
                  models({{part.name, "elastic"}}), false});
@@ -198,8 +198,8 @@ private:
             if (!(gap > 2 * margin)) continue;
             Advice one{"pairs",
                        format("pair {} does not meet", pair.name),
-                       format("the boxes its surfaces sweep stay {} apart, more than twice the way "
-                              "{} of the fastest node outside of the frames ({})",
+                       format("the boxes its surfaces sweep stay {} apart, more than twice the "
+                              "displacement {} of the fastest node outside of the frames ({})",
                               gap, margin, seen_),
                        format("search and tracking of {} contactors", pair.contactorNodes.size()),
                        "none while no node is faster than in these frames",
@@ -228,7 +228,7 @@ private:
         Advice one{"damping",
                    "massDamping 0",
                    format("its work is {} of the largest energy ({})", percent(damped), seen_),
-                   "a product a node and step; -measure tells",
+                   "a product a node and step; -measure shows it",
                    "what little it damps stays",
                    {},
                    false};
@@ -244,7 +244,7 @@ private:
             "friction",
             format("friction of pair {} does no work", pair.name),
             format("it dissipates {} of the largest energy ({})", percent(share(*work)), seen_),
-            format("the tangential force of {} contactors; -measure tells",
+            format("the tangential force of {} contactors; -measure shows it",
                    pair.contactorNodes.size()),
             "sticking does no work either and may be what holds the scene: trust -measure "
             "alone",
@@ -260,7 +260,7 @@ private:
                    "bulkViscosity 0",
                    format("its work is {} of the largest energy ({})", percent(worked), seen_),
                    "a few products an element and step, and the part of the time step it costs; "
-                   "-measure tells",
+                   "-measure shows it",
                    "shocks ring more",
                    {},
                    false};
@@ -280,8 +280,8 @@ private:
         if (model_.control.precision != Precision::double_) return;
         Advice one{"precision",
                    "precision mixed",
-                   "state in double, work in single: often enough; only a comparison tells",
-                   "up to half the time where memory or vector width limits; -measure tells",
+                   "state in double, work in single: often enough; only a comparison shows it",
+                   "up to half the time where memory or vector width limits; -measure shows it",
                    "rounding of single precision in strain increments and forces",
                    {},
                    true};

@@ -19,7 +19,7 @@ namespace {
 
 const char* const meshFile = "constant/mesh.vtkhdf";
 
-/// Removes a folder on its way out, unless it was kept.
+/// Removes a folder at the end of its scope, unless it was kept.
 class Draft
 {
 public:
@@ -42,7 +42,7 @@ private:
     fs::path folder_;
 };
 
-/// Kept aside under another name, so that nobody takes it for what made this case.
+/// Renames a file that did not make this case.
 void setAside(const fs::path& folder, const std::string& file, const std::string& name)
 {
     if (fs::exists(folder / file)) fs::rename(folder / file, folder / name);
@@ -92,7 +92,7 @@ std::vector<std::string> cutNotes(const Model& model, const Cut& cut)
                            planes, cut.factor()));
     for (const History& history : model.control.histories) {
         if (history.kind == History::Kind::reaction)
-            notes.push_back(format("history '{}' has the factor {}: it tells the force of the "
+            notes.push_back(format("history '{}' has the factor {}: it gives the force of the "
                                    "whole in the planes; across them the whole has none",
                                    history.name, toText(history.factor * cut.factor())));
         else if (history.kind == History::Kind::energies)

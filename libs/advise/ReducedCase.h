@@ -19,9 +19,9 @@ struct SymmetryFinding {
 SymmetryFinding symmetryFinding(const Model& model);
 
 /// Writes `target`: a copy of the case with its mesh, the edits made, cut at its mirror planes
-/// where `cut` asks for it, contact surfaces set, read once as the solver would, and a README.md
-/// that says what its user must know. The case itself stays. Throws Error(commandLine) where the
-/// target exists and where there is no plane to cut at; what cannot be completed is removed again.
+/// where `cut` demands it, contact surfaces set, read once as the solver would, and a README.md
+/// with notes for its user. The case itself is not changed. Throws Error(commandLine) where the
+/// target exists and where there is no plane to cut at; an incomplete target is removed again.
 void writeReducedCase(const Case& theCase,
                       const std::vector<Advice>& advice,
                       bool cut,

@@ -131,7 +131,7 @@ std::optional<double> frictionWorkOf(const PerformanceRecord& performance, const
     return {};
 }
 
-/// Nothing where the run did not tell it, or it is of another run.
+/// Nothing where the run has none, or it is of another run.
 std::optional<PerformanceRecord>
 performanceOf(const std::filesystem::path& caseRoot, const std::string& runId, Log& log)
 {

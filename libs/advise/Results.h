@@ -24,22 +24,22 @@ struct StepFigures {
     std::string limit;          ///< the pair and node whose springs did; empty: the elements
 };
 
-/// What the frames and histories of a finished or pilot run tell.
+/// Results of a finished or pilot run, from its frames and histories.
 struct Results {
     double lastTime = 0, longestStep = 0; ///< of the frames
     std::size_t frames = 0;
     double fastest = 0; ///< speed of any node in any frame
     std::vector<PartExtremes> parts;
-    /// Lowest and highest place each node has been at.
+    /// Lowest and highest position of each node.
     std::vector<Point> low, high;
     std::optional<Table> energies;
-    /// Of each contact pair, dissipated by friction; nothing where the run did not tell it.
+    /// Of each contact pair, dissipated by friction; nothing where the run has no such result.
     std::vector<std::optional<double>> frictionWork;
-    std::optional<StepFigures> steps; ///< nothing where the run did not tell them
+    std::optional<StepFigures> steps; ///< nothing where the run has none
 };
 
-/// Of the run that `status` names; the log tells what is left out. Nothing where that run has fewer
-/// than two frames of the present mesh.
+/// Results of the run that `status` names; the log says what is left out. Nothing where that run
+/// has fewer than two frames of the present mesh.
 std::optional<Results>
 readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log);
 

@@ -16,7 +16,7 @@ namespace {
 
 const char* const fraction[] = {"", "half", "quarter", "eighth"};
 
-/// Fastest that a condition moves a point, for a travel of 1 along its amplitude.
+/// Largest speed at which a condition moves a point, for a displacement of 1 along its amplitude.
 double steepest(const Amplitude& amplitude)
 {
     double most = 0;
@@ -35,7 +35,7 @@ double largest(const Amplitude& amplitude)
     return most;
 }
 
-/// Fastest speed that is asked for; nothing where loads act.
+/// Largest speed prescribed; nothing where loads act.
 std::optional<double> fastestDrive(const Model& model)
 {
     using Kind = BoundaryCondition::Kind;
@@ -161,7 +161,7 @@ std::optional<Advice> symmetryAdvice(const Model& model, Log& log)
         std::string("the two are not the same run: where the whole leaves its symmetry (buckling, "
                     "loose layers")
             + (slides ? ", friction that slips on one side first" : "")
-            + "), they part; -measure tells by how much; resultants are those of the part that is "
+            + "), they part; -measure shows by how much; resultants are those of the part that is "
               "kept",
         {},
         false};
@@ -181,7 +181,7 @@ std::vector<Advice> pairAdvice(const Model& model)
                    format("its boxes are farther apart than both move at {} until {}", 2 * *fastest,
                           model.control.endTime),
                    format("search and tracking of {} contactors", pair.contactorNodes.size()),
-                   "none while no node is faster than twice the fastest that is asked for",
+                   "none while no node is faster than twice the fastest prescribed",
                    {},
                    false};
         one.edits.remove("system/contactDict", "pairs." + pair.name,
@@ -210,7 +210,7 @@ std::vector<Advice> outputAdvice(const Model& model, const Case& theCase)
                                 read.times.size()),
                    format("{} of {} frames, {} MB", toText(frames - needed, 6), toText(frames, 6),
                           toText((frames - needed) * frameBytes(model) / 1e6, 3)),
-                   "fewer times to look at in ParaView; steps end at frames, so results differ by "
+                   "fewer times to view in ParaView; steps end at frames, so results differ by "
                    "the error of the time integration",
                    {},
                    false};

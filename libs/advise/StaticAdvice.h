@@ -11,9 +11,9 @@ namespace fpm {
 /// Half, quarter or eighth: every mirror plane of the model at once. Nothing where there is none.
 std::optional<Advice> symmetryAdvice(const Model& model, Log& log);
 
-/// Pairs of surfaces that stay apart whatever happens, were no node ever faster than twice the
-/// fastest that initial conditions and drives ask for. Loads accelerate without bound: with any,
-/// none.
+/// Pairs of surfaces that cannot meet as long as no node is faster than twice the largest speed
+/// that initial conditions and prescribed motion contain. None with loads, which accelerate without
+/// bound.
 std::vector<Advice> pairAdvice(const Model& model);
 
 /// Frames that system/probeDict does not read, and histories with more rows than a plot can show.

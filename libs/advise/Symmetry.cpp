@@ -26,7 +26,8 @@ std::string partObstacle(const Model& model)
     for (const Part& part : model.parts) {
         if (!isRigid(part.kind) && part.hexahedron == HexahedronForm::reduced
             && part.rotation == RotationForm::arcsine)
-            return format("part {} has rotation arcsin, which does not turn both ways alike",
+            return format("part {} has rotation arcsin, which treats the two directions of "
+                          "rotation differently",
                           part.name);
         if (part.kind == PartKind::rigidFree && (part.inertia.mass > 0 || part.inertia.hasInertia))
             return format("part {} has mass or inertia given by numbers, which cannot be halved "

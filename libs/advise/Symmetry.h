@@ -9,7 +9,7 @@ namespace fpm {
 
 /// Whether all of a model is its own mirror image, one answer for each of the planes x, y and z
 /// through the middle of the mesh: nodes, elements and parts; conditions with their values; initial
-/// velocities; contact pairs and analytic surfaces; rigid bodies. The first obstacle is told.
+/// velocities; contact pairs and analytic surfaces; rigid bodies. Returns the first obstacle.
 /// Parts are mirrored onto themselves only. What holds, holds to 1e-9.
 std::vector<MirrorMap> findSymmetry(const Model& model);
 

@@ -16,7 +16,7 @@ using Kind = BoundaryCondition::Kind;
 constexpr const char* conditions = "constant/boundaryConditions";
 const std::string otherSide = "lay on the side of a mirror plane that was cut off";
 
-/// One cut of one case, on its way into its dictionaries.
+/// One cut of one case, before it is written to its dictionaries.
 class SymmetryEditor
 {
 public:
@@ -114,7 +114,7 @@ private:
             edits_.additions[conditions] += forceText(condition, name, shareOf(planes));
         }
         edits_.notes.push_back(
-            format("the force '{}' is shared out anew: nodes on a mirror plane are half nodes",
+            format("the force '{}' is distributed again: nodes on a mirror plane are half nodes",
                    condition.name));
     }
 

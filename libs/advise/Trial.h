@@ -7,7 +7,7 @@
 namespace fpm {
 
 /// Runs a copy of the case up to `share` of its end with twenty frames, and removes it again. The
-/// copy is meshed anew where the case has a meshDict. Throws Error(numericalStop) where a program
+/// copy gets a new mesh where the case has a meshDict. Throws Error(numericalStop) where a program
 /// fails.
 Results pilotRun(const Case& theCase, const Model& model, double share, Log& log);
 

@@ -22,8 +22,8 @@ struct ProcessEnd {
     bool succeeded() const { return exitCode == 0 && signal == 0; }
 };
 
-/// Remembers Ctrl-C, SIGTERM and SIGHUP while it lives, so that a row under way is not lost half
-/// made. One at a time.
+/// Holds back Ctrl-C, SIGTERM and SIGHUP during its life, so that a row in progress is completed.
+/// One at a time.
 class Interrupt
 {
 public:
@@ -46,7 +46,7 @@ ProcessEnd runProcess(const std::vector<std::string>& command,
 /// Work for a child process, so that a library that crashes on a hostile file takes nothing with
 /// it.
 struct ChildTask {
-    std::string subject; ///< begins what is told of a child that dies: "<subject>: rejected, ..."
+    std::string subject; ///< begins the message about a child that dies: "<subject>: rejected, ..."
     ExitCode code;       ///< and this is its code
     std::string advice;
     std::uint64_t memoryBytes = 0; ///< beyond what the parent has; 0: no limit

@@ -31,7 +31,7 @@ std::string holder(int descriptor)
     return text.empty() ? nobodyKnown : text;
 }
 
-/// 0, or the error. Locks belong to the open file (not the process) where the system knows such.
+/// 0, or the error. Locks belong to the open file (not the process) where the system supports it.
 int lockWhole(int descriptor)
 {
     struct flock whole {};
@@ -42,7 +42,7 @@ int lockWhole(int descriptor)
     return flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
 }
 
-/// Whether somebody holds the lock: asks without taking it, where the system can.
+/// Whether another process holds the lock: tests it without taking it, where the system can.
 bool isLocked(int descriptor)
 {
     struct flock whole {};

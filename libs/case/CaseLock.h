@@ -21,8 +21,8 @@ private:
     int descriptor_;
 };
 
-/// Whether a process holds the lock of the case now, as far as can be known: true for a holder that
-/// says nothing of itself, and where the system does not tell about locks.
+/// Whether a process holds the lock of the case now, as far as the system says: true for a holder
+/// without a record, and where the system gives no information about locks.
 bool holdsCase(const std::filesystem::path& caseRoot, int process, const std::string& host);
 
 } // namespace fpm

@@ -19,14 +19,14 @@ std::vector<std::string> resultFiles(const std::filesystem::path& caseRoot);
 /// Whether the folder `previous` of a case was made by clearForRun.
 bool isPreviousRun(const std::filesystem::path& folder);
 
-/// Makes room for a run; the caller holds the case lock. `mode`: keep moves what an earlier run
-/// left into `previous`, in place of what was there of the run before; remove deletes it; refuse
-/// throws Error(fileIo) if there is any. Says in one line what was done. Killed on the way, the
-/// next call goes on with it. Throws Error(fileIo) where `previous` is not ours.
+/// Clears the case for a run; the caller holds the case lock. `mode`: keep moves the results of an
+/// earlier run into `previous`, replacing those of the run before; remove deletes them; refuse
+/// throws Error(fileIo) if there are any. Logs one line about it. If it is killed, the next call
+/// completes it. Throws Error(fileIo) where `previous` was not made by a run.
 void clearForRun(const std::filesystem::path& caseRoot, const std::string& mode, Log& log);
 
 /// Called before the mesh is replaced: frames in the case are shown through a link to it, so it is
-/// kept until they go into `previous`. Does nothing where the file system knows no hard links.
+/// kept until they go into `previous`. Does nothing where the file system has no hard links.
 void keepMeshOfFrames(const std::filesystem::path& caseRoot);
 
 /// Removes the temporary files that killed programs left in a case; the caller holds its lock.

@@ -7,8 +7,7 @@
 
 namespace fpm {
 
-/// What a run tells of itself in its case: an id, and the file `status` while it goes on and when
-/// it ends.
+/// Record of a run in its case: an id, and the file `status` during the run and at its end.
 class RunRecord
 {
 public:

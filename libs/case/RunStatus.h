@@ -10,7 +10,7 @@ namespace fpm {
 enum class RunState { running, finished, stopped, failed, died };
 std::string nameOf(RunState state);
 
-/// The file `status` of a case: the run its results belong to, and how far it came.
+/// The file `status` of a case: the run its results belong to, and its progress.
 struct RunStatus {
     RunState state = RunState::running;
     std::string runId; ///< empty in a status of an older version

@@ -32,8 +32,8 @@ public:
 
 struct DictionaryNode; // parsed tree, private to the library
 
-/// One `{ ... }` of a case file: typed values that know their place. Reading an entry marks it
-/// used; requireAllUsed() refuses what nobody asked for. Grammar: README.md of this library.
+/// One `{ ... }` of a case file: typed values with their position in it. Reading an entry marks it
+/// used; requireAllUsed() refuses entries that were never read. Grammar: README.md of this library.
 class Dictionary
 {
 public:
@@ -88,8 +88,9 @@ public:
     /// say the same. Without the top's FoamFile and user. Marks nothing as used.
     std::string canonicalText() const;
 
-    /// Throws for the first entry nobody read, here and in every sub-dictionary that was opened:
-    /// "unknown keyword", nearest valid key, the keys valid here (= those asked for so far).
+    /// Throws for the first entry that was never read, here and in every sub-dictionary that was
+    /// opened: "unknown keyword", nearest valid key, the keys valid here (= those requested so
+    /// far).
     void requireAllUsed() const;
 
     /// Name of this dictionary for messages: "system/contactDict, in pairs.rodPlate".

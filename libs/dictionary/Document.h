@@ -56,7 +56,7 @@ struct Entry {
     std::uint32_t node = noNode; ///< the sub-dictionary, if it is one
     Expansion expansion = Expansion::none;
     std::uint8_t macroDepth = 0;
-    bool asked = false;      ///< a reader knows this key
+    bool asked = false;      ///< a reader has requested this key
     bool referenced = false; ///< a $macro uses it
 
     bool isDictionary() const { return node != noNode; }
@@ -64,7 +64,7 @@ struct Entry {
 
 struct Document;
 
-/// One `{ ... }`: its entries, and which keys were asked for.
+/// One `{ ... }`: its entries, and the keys that were requested.
 struct DictionaryNode {
     Document* document = nullptr;
     DictionaryNode* parent = nullptr;
@@ -74,11 +74,11 @@ struct DictionaryNode {
     std::unordered_map<std::string_view, std::size_t> numbers; ///< key to entry
     std::vector<std::string> asked;                            ///< in the order of asking
     std::set<std::string, std::less<>> askedInVain;            ///< those that are absent
-    bool isFree = false;   ///< `user`, `FoamFile`: entries nobody has to read
+    bool isFree = false;   ///< `user`, `FoamFile`: entries that need no reader
     bool isOpened = false; ///< a reader took this dictionary
 
     Entry* find(std::string_view key);
-    /// As find; notes that a reader knows this key.
+    /// As find; records that a reader requested this key.
     Entry* ask(std::string_view key);
     std::string path() const; ///< "pairs.rodPlate"; empty for the root
 };

@@ -18,7 +18,7 @@ struct Reach {
     std::string_view rest;
 };
 
-/// Keywords may hold dots themselves, so every way to cut the path is tried.
+/// Keywords may hold dots themselves, so every split of the path is tried.
 Reach follow(DictionaryNode& node, std::string_view path)
 {
     Reach best{&node, nullptr, path};

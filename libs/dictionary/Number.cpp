@@ -25,7 +25,7 @@ bool dropOneOf(std::string_view& text, std::string_view characters)
     return true;
 }
 
-/// Tells underflow from overflow, for a text that from_chars found out of range.
+/// Distinguishes underflow from overflow, for a text that from_chars found out of range.
 bool isBelowOne(std::string_view number)
 {
     const auto mark = number.find_first_of("eE");

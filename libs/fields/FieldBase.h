@@ -30,11 +30,11 @@ enum class Location {
 /// `scratch`: written before it is read.
 enum class Role { constant, state, derived, scratch };
 
-/// What becomes of the values of a contactor when deleted elements renew its pass: they begin
-/// anew, go on wherever the contactor does, or only while the face it touches goes on too.
-enum class Renewal { reset, kept, keptInTouch };
+/// Fate of a contactor's values when deleted elements renew its pass: they are reset, kept with the
+/// contactor, or kept only while the face it is in contact with is kept too.
+enum class Renewal { reset, kept, keptInContact };
 
-/// The declaration of a field: all that loops over fields ask.
+/// Declaration of a field: all that loops over fields need.
 struct FieldInfo {
     std::string_view name;
     Location location;

@@ -67,7 +67,7 @@ void writeAll(const Descriptor& out,
     }
 }
 
-/// Asks for the space first, so that a full disk is found before anything is written. File systems
+/// Reserves the space first, so that a full disk is found before anything is written. File systems
 /// that cannot reserve say so, and the write loop finds out.
 void reserve(const Descriptor& out, std::size_t size, const std::filesystem::path& file)
 {

@@ -17,8 +17,8 @@ void writeFileAtomically(const std::filesystem::path& file, std::string_view tex
 void renewFile(const std::filesystem::path& file, std::string_view text);
 
 /// Removes from a folder the temporary files that killed writers left; of `deadOnly`, those whose
-/// process is gone from this machine. The caller knows that no other writer works there. Returns
-/// how many.
+/// process no longer exists on this machine. The caller guarantees that no other writer works
+/// there. Returns the number removed.
 int removeTemporaries(const std::filesystem::path& folder, bool deadOnly);
 
 } // namespace fpm

@@ -8,9 +8,9 @@
 
 namespace fpm {
 
-/// The label behind a mesh or frame (Hdf5Image::save), which tells without opening the file:
-/// "fpm run <id> <file> mesh <checksum>", of a mesh without the mark and, where it holds the
-/// numbers of its nodes and elements, "ids mesh <checksum>".
+/// Label behind a mesh or frame (Hdf5Image::save), readable without opening the file: "fpm run <id>
+/// <file> mesh <checksum>", for a mesh without the mark and, where it holds the numbers of its
+/// nodes and elements, "ids mesh <checksum>".
 struct FrameLabel {
     std::optional<RunMark> mark;
     std::string mesh;

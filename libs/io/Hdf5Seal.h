@@ -8,8 +8,8 @@
 
 /// The last 16 bytes of every HDF5 file of ours: a mark, with the length of a label before it, and
 /// the checksum of all bytes before the seal.
-/// HDF5 ignores what follows the end it wrote into its header, so other programs see a plain file;
-/// ours find a damaged one before HDF5, which is not built for hostile bytes, looks at it.
+/// HDF5 ignores everything beyond the end written in its header, so other programs see a plain
+/// file; our reader finds damage before HDF5, which is not built for hostile bytes, reads the file.
 namespace fpm::hdf5 {
 
 using Seal = std::array<std::byte, 16>;

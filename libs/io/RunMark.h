@@ -7,8 +7,8 @@
 
 namespace fpm {
 
-/// What a result file says of where it comes from: "fpm run <id> <file>", the file relative to its
-/// case. A copy under another name is known by it.
+/// Origin of a result file: "fpm run <id> <file>", the file relative to its case. It identifies a
+/// copy under another name.
 struct RunMark {
     std::string runId; ///< empty where no run wrote the file
     std::string file;

@@ -54,7 +54,7 @@ std::optional<double> number(std::string_view cell)
     return value;
 }
 
-/// Collects the lines of one file; `lastIsWhole` tells whether the last one had its line end.
+/// Collects the lines of one file; `lastIsWhole`: whether the last one had its line end.
 class TableReader
 {
 public:

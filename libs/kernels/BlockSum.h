@@ -6,7 +6,7 @@
 namespace fpm {
 
 /// Sums over a block in one fixed order on every backend: 16 running sums over every 16th value,
-/// ascending, then the 16 in order. `partial`: 16 doubles a quantity.
+/// ascending, then the 16 in order. `partial`: 16 doubles per quantity.
 inline constexpr int blockSumLanes = 16;
 
 constexpr std::size_t blockSumScratch(int quantities)
@@ -14,7 +14,7 @@ constexpr std::size_t blockSumScratch(int quantities)
     return std::size_t(quantities) * blockSumLanes * sizeof(double);
 }
 
-/// First half: values[k * stride + i], i < count, of `quantities` quantities. Barrier afterwards.
+/// First half: values[k * stride + i], i < count, of `quantities` quantities. A barrier follows.
 template <class Team, class Work>
 FPM_KERNEL void blockSums(const Team& team,
                           int quantities,
@@ -52,7 +52,7 @@ FPM_KERNEL double blockSumResult(const double* partial, int quantity)
     return sum;
 }
 
-/// The same for the smallest value; a NaN anywhere gives -1.
+/// Smallest value of a block in the same two halves; a NaN anywhere gives -1.
 template <class Team, class Work>
 FPM_KERNEL void blockMinimum(const Team& team, Index count, const Work* values, double* partial)
 {

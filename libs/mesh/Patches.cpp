@@ -27,7 +27,7 @@ void requirePatchStarts(const Mesh& mesh)
                     "renumber() does that");
 }
 
-/// Number of patches that touch each node.
+/// Number of patches that have each node.
 std::vector<Index> patchCounts(const Mesh& mesh)
 {
     std::vector<Index> counts(mesh.points.size(), 0), lastPatch(mesh.points.size(), unseen);

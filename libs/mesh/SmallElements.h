@@ -15,8 +15,8 @@ struct SmallElements {
     double ratio() const { return ordinary / least; }
 };
 
-/// What `sizes` [element] tell, heights or stable steps; 0 for elements that do not count. Nothing
-/// where the least is no less than a third of the median, or a tenth of all are as small.
+/// Small elements by `sizes` [element], heights or stable steps; 0 for elements that do not count.
+/// Nothing where the least is no less than a third of the median, or a tenth of all are as small.
 std::optional<SmallElements> smallElements(const Mesh& mesh, const std::vector<double>& sizes);
 
 /// "16 of 256 elements (part b, between (20.5 1 1) and (20.5 9 9))": the box around their centres.

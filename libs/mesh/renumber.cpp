@@ -140,7 +140,7 @@ std::vector<Index> orderElements(Mesh& mesh, Index maxCount)
     return oldElement;
 }
 
-/// New number of each old node (-1: none): interior nodes in order of first touch, then the others.
+/// New number of each old node (-1: none): interior nodes in order of first use, then the others.
 std::vector<Index> orderNodes(const Mesh& mesh, std::size_t& nodeCount)
 {
     constexpr Index none = -1, shared = -2;

@@ -81,7 +81,7 @@ void refuseCells(const std::string& file,
            advice + " (the numbers are gmsh's element tags)");
 }
 
-/// What checkMesh would refuse as well, but only by numbers the file does not know.
+/// Checks that checkMesh would make as well, but only with numbers that are not those of the file.
 void checkCells(const std::string& file, const ImportedMesh& imported)
 {
     Mesh mesh;
@@ -140,7 +140,8 @@ public:
                 entries_.push_back({key(sideNodes({element, side})), {element, side}});
         std::sort(entries_.begin(), entries_.end());
     }
-    /// The side with these nodes that looks the way the quadrangle does, else the first, else -1.
+    /// The side with these nodes whose outward normal has the direction of the quadrangle's, else
+    /// the first, else -1.
     ElementSide find(const Quad& quad) const
     {
         const auto range =

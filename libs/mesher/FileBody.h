@@ -11,8 +11,8 @@ namespace fpm {
 /// A body from a file as parts and sets: physical volumes become parts (without any: one part
 /// called `body`), physical surfaces side sets, physical curves and points node sets. A group
 /// without name is <body>.volume3, .surface3, ... after its tag. Of a face between two elements the
-/// set has the side the file's quadrangle looks out of. Throws Error(mesh): a hexahedron in no or
-/// two volumes, a face of no hexahedron, an unusable name.
+/// set has the side with the outward direction of the file's quadrangle. Throws Error(mesh): a
+/// hexahedron in no or two volumes, a face of no hexahedron, an unusable name.
 Mesh fileBody(const std::string& body, const std::string& file, const ImportedMesh& imported);
 
 /// A name of a part or set: 1 to 64 of A-Z a-z 0-9 _ . + -, no leading dot.

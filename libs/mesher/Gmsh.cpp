@@ -189,13 +189,13 @@ Hexahedra extrude(const std::string& subject,
         TagMap nodes, tags;
         mesh = fetchHexahedra(nodes, tags, foreign);
     });
-    // How near gmsh came to its own surface is no matter: the places of nodes are ours.
+    // How exactly gmsh meets its own surface does not matter: nodes are placed here.
     for (const auto& line : warnings)
         if (!line.starts_with("Converged at iter."))
             log.warning(format("{}: gmsh: {}", subject, line));
     if (std::int64_t(mesh.cells.size()) != expectedCells || !foreign.empty())
         throw Error(ExitCode::mesh,
-                    format("{}: gmsh made {} hexahedra {}where {} were asked for", subject,
+                    format("{}: gmsh made {} hexahedra {}where {} were requested", subject,
                            mesh.cells.size(), foreign.empty() ? "" : "and " + foreign + " ",
                            expectedCells));
     return mesh;

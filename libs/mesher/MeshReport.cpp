@@ -98,7 +98,7 @@ void reportSmallElements(const Mesh& mesh, Log& log)
     log.line(
         format("{} are down to {} high, most elements {}: with equal materials they alone make "
                "the time step {} times smaller; larger elements there, or massScaling, save "
-               "steps (fpmExplicit -dryRun tells the price)",
+               "steps (fpmExplicit -dryRun states the cost)",
                smallElementsText(*few), toText(few->least, 3), toText(few->ordinary, 3),
                toText(few->ratio(), 3)));
 }

@@ -45,7 +45,8 @@ Point unit(const Dictionary& entry, const char* key, const Point& direction)
     return along({0, 0, 0}, 1 / size, direction);
 }
 
-/// Orthonormal axes with the given first and second; `second` need only lean that way.
+/// Orthonormal axes with the given first and second; `second` needs only a component in that
+/// direction.
 Axes axesFrom(const Point& first, const Point& second)
 {
     Axes axes{};
@@ -159,7 +160,7 @@ void readLoadPlace(const Dictionary& entry, const Mesh& mesh, BoundaryCondition&
         return;
     }
     condition.sides = selectSides(entry, mesh);
-    if (condition.kind != Kind::force) // whose total does not ask which side it acts on
+    if (condition.kind != Kind::force) // whose total does not depend on the side
         refuseInnerSides(entry, "set", mesh, condition.sides,
                          condition.kind == Kind::pressure ? "a pressure" : "a traction");
     condition.nodes = nodesOf(mesh, condition.sides);

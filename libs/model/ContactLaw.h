@@ -17,14 +17,14 @@ constexpr const PenaltyEntry& entryOf(PenaltyRule rule)
     return penaltyEntries[std::size_t(rule)];
 }
 
-/// What a pair of system/contactDict does where it touches.
+/// Contact law of a pair of system/contactDict.
 struct ContactLaw {
     double friction = 0;         ///< Coulomb coefficient, static
     double dynamicFriction = -1; ///< at high slip speed; < 0: as the static one
     double frictionDecay = 0;    ///< of mu_s - mu_d with slip speed [time/length]
     bool paperFriction = false;  ///< eqs. 17-18 as printed: the stored force does not turn
-    /// s_n, s_t: k = s K A^2 / V. Of elastic bodies that touch, the tangential stiffness is
-    /// 2 (1 - nu) / (2 - nu) of the normal one, 0.82 at nu 0.3 (Mindlin 1949).
+    /// s_n, s_t: k = s K A^2 / V. Between elastic bodies in contact the tangential stiffness is 2
+    /// (1 - nu) / (2 - nu) of the normal one, 0.82 at nu 0.3 (Mindlin 1949).
     double normalScale = 1, tangentialScale = 0.8;
     PenaltyRule penalty = PenaltyRule::target;
     double normalDamping = 0; ///< zeta of F = -2 zeta sqrt(k m*) dg/dt

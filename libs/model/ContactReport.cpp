@@ -82,7 +82,7 @@ public:
 
 private:
     using Cell = std::array<std::int64_t, 3>;
-    /// Cells are wide against the distance, so that a ball touches few of them.
+    /// Cells are wide against the distance, so that a ball overlaps few of them.
     Cell cell(const Point& p, const Point& shift) const
     {
         Cell out{};
@@ -169,11 +169,12 @@ void reportOverlaps(const Mesh& mesh,
         break;
     case InitialOverlap::offset:
         if (deepest->depth > noteworthy * fit.targetSize)
-            log.warning(what
-                        + "; this makes no force until they have come out: move the bodies apart, "
-                          "or for a press fit write 'initialOverlap ramp;' and 'rampTime'");
+            log.warning(
+                what
+                + "; this causes no force until they have separated: move the bodies apart, "
+                  "or for a press fit write 'initialOverlap ramp;' and 'rampTime'");
         else
-            log.line(what + "; this makes no force until they have come out");
+            log.line(what + "; this causes no force until they have separated");
         break;
     case InitialOverlap::ramp:
         log.line(what + "; the force of this grows over rampTime");

@@ -9,7 +9,7 @@ namespace fpm {
 /// How the two sides of a pair lie to one another before the run.
 struct ContactFit {
     double contactorArea = 0, targetArea = 0;
-    std::size_t facingNodes = 0;         ///< contactor nodes that look at the target
+    std::size_t facingNodes = 0;         ///< contactor nodes whose faces oppose the target
     double smallestGap = 0, meanGap = 0; ///< of those that do not overlap
     InitialDepths depths;                ///< of those that lie inside
     double targetSize = 0;               ///< mean width of a target face
@@ -34,8 +34,8 @@ void reportOverlaps(const Mesh& mesh,
                     InitialOverlap overlap,
                     Log& log);
 
-/// Warns of target nodes that lie on one another without being the same: a seam of the mesh, where
-/// faces that look connected are not.
+/// Warns of target nodes that coincide without being the same: a seam of the mesh, where faces that
+/// seem connected are not.
 void reportSeams(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log);
 
 /// Warns where two pairs have both the same contactor nodes and the same target sides, so that the

@@ -69,7 +69,7 @@ void refuseTargetsTurnedAway(const ContactFit& fit, const Dictionary& pair)
               format("all contactor nodes lie behind the target, {} of its faces point away from "
                      "the nodes nearest to them: it would draw them in",
                      fit.facesPointingAway),
-              "choose the side that looks at the contactor with a side set or 'facing'");
+              "choose the side that faces the contactor with a side set or 'facing'");
 }
 
 /// Moves the contactors that overlap to the target's surface; refuses where that would turn an
@@ -161,7 +161,7 @@ ContactSurfaces setPair(Mesh& mesh,
     return surfaces;
 }
 
-/// All exterior faces of all parts; overlaps are looked for between parts whose boxes meet.
+/// All exterior faces of all parts; overlaps are searched between parts whose boxes intersect.
 ContactSurfaces setGeneral(const Mesh& mesh,
                            const PairEntry& entry,
                            const std::vector<bool>& rigid,

@@ -6,8 +6,8 @@
 
 namespace fpm {
 
-/// system/controlDict without `functions`. Keys that OpenFOAM knows and that have no effect here
-/// are accepted and named in the log; values that would mean something else are refused.
+/// system/controlDict without `functions`. Keys of OpenFOAM without effect here are accepted and
+/// named in the log; values that would mean something else are refused.
 Control readControl(const Dictionary& dictionary, Log& log);
 
 /// system/controlDict, massScaling: into the parts it is for.

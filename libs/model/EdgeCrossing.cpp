@@ -110,8 +110,8 @@ public:
     }
 
     /// Depth of the middle where the segment enters the surface and leaves it again, outside at
-    /// both ends, in widths of the nearest face or, where it leaves by the other side, in lengths
-    /// of its way through if that is less; 0: it does not.
+    /// both ends, in widths of the nearest face or, where it leaves on the other side, in lengths
+    /// of its path through the body if that is less; 0: it does not cross.
     double crosses(const Segment& s, Point& place) const
     {
         double first = 2, last = -1;
@@ -180,7 +180,7 @@ private:
 
 void count(EdgeCrossings& found, const std::vector<Segment>& edges, const Sweep& faces)
 {
-    constexpr double least = 0.01; // as deep do penalties let surfaces in touch overlap
+    constexpr double least = 0.01; // penalties let surfaces in contact overlap as deeply
     for (const Segment& edge : edges) {
         Point place;
         const double depth = faces.crosses(edge, place);

@@ -8,7 +8,7 @@ namespace fpm {
 /// is inside and node-to-face contact does not see it.
 struct EdgeCrossings {
     std::size_t count = 0;
-    double depth = 0; ///< of the deepest, over the width of a face or its way through a thin body
+    double depth = 0; ///< of the deepest, over the width of a face or its path through a thin body
     Point place{0, 0, 0}; ///< of the deepest
 };
 

@@ -17,13 +17,13 @@ public:
 
     struct Hit {
         std::size_t face = 0; ///< number in `sides`
-        Point point{};        ///< of the face, nearest to the point asked about
+        Point point{};        ///< of the face, nearest to the queried point
         double distance = 0;
         double height = 0; ///< distance along the outward normal; < 0 behind the face
     };
     /// Of faces equally near (at an edge or corner) the one whose normal points best along the line
     /// to `point`; where that does not decide, as for a point on the edge, the one most opposed to
-    /// `outward`, the direction the point's own surface looks in.
+    /// `outward`, the outward direction of the point's own surface.
     Hit nearest(const Point& point, const Point& outward = {0, 0, 0}) const;
     /// The same among the hits that `accepts` says yes to; distance infinite where there is none.
     using Accept = std::function<bool(const Hit&)>;

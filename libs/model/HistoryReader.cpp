@@ -55,7 +55,7 @@ void readPoint(const Dictionary& entry, const Mesh& mesh, History& history, Log&
     const Point& chosen = mesh.points[std::size_t(history.node)];
     const double distance = length(difference(chosen, position));
     const double size = elementSizeAt(mesh, mesh.findPart(entry.word("part")), history.node);
-    log.line(format("history {}: node {} at {}, {} from the position asked for", history.name,
+    log.line(format("history {}: node {} at {}, {} from the requested position", history.name,
                     history.node, pointText(chosen), distance));
     if (distance > size)
         log.warning(
@@ -122,7 +122,7 @@ void readBody(const Dictionary& entry, const Model& model, History& history)
     history.part = model.mesh.findPart(name);
     if (model.parts[std::size_t(history.part)].kind != PartKind::rigidFree)
         entry.fail("part", "part '" + name + "' is not rigidFree",
-                   "a reaction or a point tells how other parts move");
+                   "a reaction or a point shows how other parts move");
 }
 
 void readPart(const Dictionary& entry, const Model& model, History& history)
@@ -132,10 +132,10 @@ void readPart(const Dictionary& entry, const Model& model, History& history)
     history.part = model.mesh.findPart(name);
     if (model.parts[std::size_t(history.part)].kind == PartKind::rigidPrescribed)
         entry.fail("part", "part '" + name + "' is rigidPrescribed: no momentum drives it",
-                   "a reaction tells the force on it, a point how it moves");
+                   "a reaction gives the force on it, a point its motion");
 }
 
-/// The ledger is kept without being asked for.
+/// The energy balance is kept in every run.
 void addEnergies(std::vector<History>& histories)
 {
     History energies;

@@ -77,8 +77,8 @@ Target targetOf(const Mesh& mesh, Index part, const std::vector<ElementSide>& si
     return target;
 }
 
-/// Surfaces in contact face each other; a node whose own sides point all ways has no say. The
-/// bounds are those of the search.
+/// Surfaces in contact oppose each other; a node whose own normals cancel is not tested. The bounds
+/// are those of the search.
 bool opposes(const Point& outward, const Point& normal)
 {
     return !(length(outward) > 0.2) || dot(normal, outward) < -0.01 * length(outward);
@@ -101,7 +101,7 @@ public:
     {
         const Index node = surfaces_.contactorNodes[number];
         const Point& point = mesh_.points[std::size_t(node)];
-        // Of two surfaces of one part a node lies on the skin of both; only depth can tell there.
+        // A node of one part lies on both of its surfaces; only the depth decides there.
         const bool same = ownPart == target_.part;
         if (!same && !material_.holds(point, target_.touching)) return;
         if (!tree_) tree_.emplace(mesh_, target_.sides);
@@ -114,7 +114,7 @@ public:
         });
         if (std::isfinite(holder.distance)) return keep(out_.held, node, holder);
         if (same) return;
-        // The way out leads through the node's own body: it has come in by that way.
+        // The exit leads through the node's own body, by which it entered.
         // Of a body that is inside as a whole, any face that points towards it is one.
         Own& own = ownBody(ownPart);
         const FaceTree::Hit exit = tree_->nearest(point, outward, [&](const FaceTree::Hit& hit) {

@@ -14,13 +14,13 @@ namespace fpm {
 struct InitialDepths {
     struct Node {
         Index node;
-        double depth;  ///< under the face that it came in through
+        double depth;  ///< under the face through which it entered
         Point surface; ///< the place on that face nearest to it
         double limit;  ///< half the thickness under it
     };
     std::vector<Node> held;    ///< they are pushed out
     std::vector<Node> tooDeep; ///< they would feel no force
-    std::vector<Index> astray; ///< as these, but no face of the target is their way out
+    std::vector<Index> astray; ///< as these, but no face of the target leads out
     bool none() const { return held.empty() && tooDeep.empty() && astray.empty(); }
 };
 InitialDepths initialDepths(const Mesh& mesh, const ContactSurfaces& surfaces);
@@ -33,8 +33,7 @@ void refuseDeepStart(const Mesh& mesh,
                      const Dictionary& place,
                      const std::string& key = "target");
 
-/// Mean of the unit normals of a node's own sides, per contactor node; short where they point all
-/// ways.
+/// Mean of the unit normals of a node's own sides, per contactor node; short where they cancel.
 std::vector<Point> contactorNormals(const Mesh& mesh, const ContactSurfaces& surfaces);
 
 } // namespace fpm

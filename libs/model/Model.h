@@ -93,8 +93,8 @@ enum class ContactSearch { faces, closestParticle };
 enum class ContactProjection { tracked, cold };
 /// Two surfaces; one against itself; all bodies against all, themselves included.
 enum class ContactKind { pair, self, general };
-/// What becomes of contactors that lie inside the target before the run: pushed out at the first
-/// step; without force until they have come out, or for a while; `move` has moved them already. An
+/// Treatment of contactors that lie inside the target before the run: pushed out at the first step;
+/// without force until they have separated, or for a while; `move` has moved them already. An
 /// analytic surface always pushes them out.
 enum class InitialOverlap { report, offset, ramp, move };
 

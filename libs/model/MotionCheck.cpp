@@ -155,7 +155,7 @@ void checkTurns(const Model& model, const Dictionary& dictionary)
     }
 }
 
-/// Says where something asked for has no effect because the component is prescribed.
+/// Reports a request that has no effect because the component is prescribed.
 template <class Entry>
 void reportOverruled(const ImposedMotion& imposed,
                      const Entry& entry,

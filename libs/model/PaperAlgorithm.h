@@ -16,7 +16,7 @@ void applyPaperAlgorithm(Model& model,
                          const Dictionary& contact,
                          Log& log);
 
-/// The same choices in a model that comes from no dictionary.
+/// The same choices in a model without a dictionary.
 void takePaperForms(Model& model);
 
 } // namespace fpm

@@ -44,7 +44,7 @@ RotationForm readRotation(const Lineage& lineage)
                                     : RotationForm::midSurface;
 }
 
-/// `hexahedron` and `rotation`: the selective element knows one rotation only.
+/// `hexahedron` and `rotation`: the selective element has one rotation only.
 void readElement(const Lineage& lineage, Part& part)
 {
     part.rotation = readRotation(lineage);

@@ -9,7 +9,7 @@ namespace fpm {
 /// InputError for a part without entry, an entry without part, and values outside their range.
 std::vector<Part> readParts(const Dictionary& dictionary, const Mesh& mesh);
 
-/// Which parts of the mesh are rigid; nothing else of constant/partProperties is looked at, so that
+/// Which parts of the mesh are rigid; nothing else of constant/partProperties is read, so that
 /// contact can be set up before the materials are complete.
 std::vector<bool> readRigidParts(const Dictionary& dictionary, const Mesh& mesh);
 

@@ -25,7 +25,8 @@ void refuseRigidPair(const Mesh& mesh,
     if (contactor < 0 || target < 0) return;
     pair.fail("target",
               "parts '" + mesh.parts[std::size_t(contactor)].name + "' and '"
-                  + mesh.parts[std::size_t(target)].name + "' are both rigid: neither can give way",
+                  + mesh.parts[std::size_t(target)].name
+                  + "' are both rigid: no mass limits the contact force",
               "what works: rigid against deformable. Let the part that matters less be elastic and "
               "stiff in constant/partProperties, or remove the pair");
 }
@@ -40,7 +41,7 @@ void refuseRigidContactor(const Mesh& mesh,
     pair.fail(
         "contactor",
         "part '" + mesh.parts[std::size_t(contactor)].name
-            + "' is rigid, and so is an analytic surface: neither can give way",
+            + "' is rigid, and so is an analytic surface: no mass limits the contact force",
         "what works: a rigid part against a deformable one. Let the part be elastic and stiff in "
         "constant/partProperties; or instead of the surface mesh a block of a few elements, "
         "elastic and held at its back; or remove the pair");

@@ -5,7 +5,8 @@
 
 namespace fpm {
 
-/// Throws InputError when both sides of a pair are on rigid parts: neither could give way.
+/// Throws InputError when both sides of a pair are on rigid parts: then no mass limits the contact
+/// force.
 /// `rigid` says for each part of the mesh whether it is; `pair` lends its place.
 void refuseRigidPair(const Mesh& mesh,
                      const ContactSurfaces& surfaces,

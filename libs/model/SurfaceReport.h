@@ -9,7 +9,7 @@ namespace fpm {
 
 /// How the contactor lies to an analytic surface before the run.
 struct SurfaceFit {
-    std::size_t facingNodes = 0; ///< nodes of sides that look at the surface, outside it
+    std::size_t facingNodes = 0; ///< nodes of sides that oppose the surface, outside it
     double smallestGap = 0, meanGap = 0;
     std::size_t overlaps = 0; ///< nodes inside the surface
     double deepest = 0;

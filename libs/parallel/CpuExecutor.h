@@ -88,7 +88,7 @@ public:
 #pragma omp parallel num_threads(threads_)
         {
             const Team team(scratch_[std::size_t(omp_get_thread_num())].get());
-            // There may be fewer threads than were asked for.
+            // There may be fewer threads than requested.
             for (int part = omp_get_thread_num(); part < threads_; part += omp_get_num_threads()) {
                 const Index end = firstBlock(part + 1, count);
                 for (Index block = firstBlock(part, count); block < end; ++block)

@@ -10,7 +10,7 @@
 
 namespace fpm {
 
-/// What a kernel may ask of a number type T: a scalar, or a Batch of lanes with the same names.
+/// Operations of a number type T in kernels: a scalar, or a Batch of lanes with the same names.
 /// Only + - * / sqrt and fma, all correctly rounded by IEEE 754: equal bits on every backend.
 template <class T>
 struct NumberTraits {
@@ -111,7 +111,7 @@ FPM_KERNEL void store(Stored* p, const T& value)
 {
     NumberTraits<T>::store(p, value);
 }
-/// Asks for memory that will soon be used; a processor only. Any address will do.
+/// Prefetches memory that will soon be used; on a processor only. Any address is allowed.
 template <class Stored>
 FPM_KERNEL void prefetch([[maybe_unused]] const Stored* p)
 {

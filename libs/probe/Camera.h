@@ -11,7 +11,7 @@ struct Projected {
     double x, y, depth;
 };
 
-/// Looks at the scene along a fixed direction and frames what it was shown.
+/// Views the scene along a fixed direction and frames the given points.
 class Camera
 {
 public:

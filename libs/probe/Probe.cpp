@@ -18,7 +18,7 @@ namespace fpm {
 
 namespace {
 
-/// Runs `work`; an error is told which entry of probeDict it belongs to.
+/// Runs `work`; an error gets the entry of probeDict that it belongs to.
 template <class Work>
 auto named(const std::string& entry, const Work& work)
 {

@@ -18,9 +18,9 @@ struct PlotSeries {
     std::string colour = {};               ///< "#6b7280"; the next of the palette where empty
 };
 
-/// A point that is told apart: a text beside it, a bar for its spread in x.
+/// A point that is marked: a text beside it, a bar for its spread in x.
 struct PlotMark {
-    double x = 0, y = 0; ///< y not finite: x alone is known, told on a line of its own on top
+    double x = 0, y = 0; ///< y not finite: x alone is known, stated on a line of its own at the top
     std::string text;
     std::size_t series = 0;       ///< whose colour it has
     bool hollow = false;          ///< a ring in place of a dot

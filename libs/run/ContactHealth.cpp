@@ -22,7 +22,7 @@ struct Loss {
     const char *figure, *advice;
 };
 constexpr std::array<Loss, 4> losses{
-    {{&PairForce::released, "contactors let go",
+    {{&PairForce::released, "contactors released",
       "they went deeper than the target is thick and hold no more: a larger normalScale, a "
       "thicker target, or general contact where another body is behind it"},
      {&PairForce::overEdge, "contactors that left over a free edge while inside",
@@ -51,7 +51,7 @@ ContactHealth::ContactHealth(const Model& model, const Solver& solver)
 void ContactHealth::sample(const Sample& row)
 {
     const double time = row.energies.time;
-    const std::vector<PairTouch>& pairs = row.pairs;
+    const std::vector<PairStatus>& pairs = row.pairs;
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
         OfPair& of = pairs_[pair];
         const double before = of.depth.value;

@@ -8,7 +8,7 @@
 
 namespace fpm {
 
-/// Judges contact pair by pair: penetration, friction delivered, what was lost or let go.
+/// Judges contact pair by pair: penetration, friction delivered, what was lost or released.
 class ContactHealth
 {
 public:
@@ -23,7 +23,7 @@ private:
         double size = 0;     ///< width of a face of the target
         double forgiven = 0; ///< depth before the run that makes no force
         Peak depth;
-        PairTouch deepest; ///< at the time of that depth
+        PairStatus deepest; ///< at the time of that depth
         Sliding sliding;
         std::array<double, 4> since{-1, -1, -1, -1}; ///< first row with a count, see losses
     };

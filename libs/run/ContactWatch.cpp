@@ -23,21 +23,20 @@ void reportContact(Solver& solver, const Model& model, Log& log)
         const std::string& name = model.contactPairs[pair].name;
         if (force.released > 0)
             log.warning(format("{} contactor nodes of pair {} went deeper than the target is "
-                               "thick and were let go",
+                               "thick and were released",
                                force.released, name));
         if (force.crowded > 0)
             log.warning(format("pair {}: {} times a node had more than three bodies in reach; it "
                                "was held by the nearest three",
                                name, force.crowded));
         if (force.late > 0)
-            log.warning(
-                format("pair {}: {} times blocks of contactors moved on further than their "
-                       "lists of faces reach before they searched again; set searchInterval 1 "
-                       "or a smaller timeStep.maximum",
-                       name, force.late));
+            log.warning(format("pair {}: {} times blocks of contactors moved further than the skin "
+                               "of their lists before these were rebuilt; set searchInterval 1 "
+                               "or a smaller timeStep.maximum",
+                               name, force.late));
         if (force.overEdge > 0)
             log.line(format("pair {}: {} times a contactor left the target over a free edge while "
-                            "in touch",
+                            "in contact",
                             name, force.overEdge));
         if (force.inside > 0)
             log.line(format("pair {}: {} times a contactor was first found inside the target; that "
@@ -45,7 +44,7 @@ void reportContact(Solver& solver, const Model& model, Log& log)
                             name, force.inside));
         if (force.mistaken > 0)
             log.line(format("pair {}: {} times a search found a nearer face than the one a "
-                            "contactor in touch had followed",
+                            "contactor in contact had followed",
                             name, force.mistaken));
     }
 }

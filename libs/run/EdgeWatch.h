@@ -26,7 +26,7 @@ public:
     explicit EdgeWatch(const Model& model);
     EdgeWatch(const EdgeWatch&) = delete;
     EdgeWatch& operator=(const EdgeWatch&) = delete;
-    /// Looks now, at a history row: often enough to see bodies pass, and so seldom that it costs
+    /// Checks now, at a history row: often enough to see bodies pass, and so seldom that it costs
     /// less than a hundredth of the run or a tenth of a second.
     void checkIfDue(Solver& solver, Log& log);
     void check(Solver& solver, Log& log);

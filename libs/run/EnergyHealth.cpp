@@ -14,8 +14,8 @@ void EnergyHealth::sample(const Energies& e, bool judged)
 {
     scale_ = e.scale;
     if (judged) balance_.take(std::abs(e.balance), e.time);
-    // When most is pressed: at first touch nodes of the surface give springs all that they have,
-    // however stiff these are.
+    // At the largest compression: at first contact nodes of the surface give springs all that they
+    // have, however stiff these are.
     elastic_.take(e.contact + e.internal - e.plastic, e.time);
     if (elastic_.time == e.time) {
         contact_ = e.contact;

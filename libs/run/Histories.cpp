@@ -257,10 +257,10 @@ void Histories::sampleContact(Channel& channel, Solver& solver, const Sample& ro
 {
     for (std::size_t pair = 0; pair < channel.files.size(); ++pair) {
         const PairForce force = solver.contact().force(pair);
-        const PairTouch& touch = row.pairs[pair];
+        const PairStatus& status = row.pairs[pair];
         channel.files[pair]->append({row.energies.time, force.force[0], force.force[1],
-                                     force.force[2], double(force.active), touch.maxDepth,
-                                     touch.meanDepth});
+                                     force.force[2], double(force.active), status.maxDepth,
+                                     status.meanDepth});
     }
 }
 

@@ -133,7 +133,7 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const ContactPair& pair = model.contactPairs[number];
         const PairForce now = solver.contact().force(number);
-        std::string line = format("pair {}: {} in touch, springs up to {}, held {}", pair.name,
+        std::string line = format("pair {}: {} in contact, springs up to {}, held {}", pair.name,
                                   now.active, largestStiffnessOf(solver, number), now.spring);
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
         if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);

@@ -25,8 +25,8 @@ std::string worstElement(Solver& solver, const Model& model);
 /// the stiffest for its mass.
 std::string stepLimit(Solver& solver, const Model& model);
 
-/// Logs of every contact pair: nodes in touch, stiffness, energy held and lost; warns of nodes let
-/// go.
+/// Logs of every contact pair: nodes in contact, stiffness, energy held and lost; warns of
+/// released nodes.
 void reportPairs(Solver& solver, const Model& model, Log& log);
 
 } // namespace fpm

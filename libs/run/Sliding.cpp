@@ -17,12 +17,12 @@ double coefficient(const ContactLaw& law, double speed)
 
 } // namespace
 
-void Sliding::sample(double time, const PairTouch& touch, const ContactPair& pair)
+void Sliding::sample(double time, const PairStatus& status, const ContactPair& pair)
 {
     const double step = lastTime_ < 0 ? 0 : time - lastTime_;
     lastTime_ = time;
-    const double speed = vector::length(touch.slip);
-    if (!(touch.normal > 0) || !(speed >= together * touch.speed)) {
+    const double speed = vector::length(status.slip);
+    if (!(status.normal > 0) || !(speed >= together * status.speed)) {
         window_ = {};
         return;
     }
@@ -32,11 +32,11 @@ void Sliding::sample(double time, const PairTouch& touch, const ContactPair& pai
     if (speed < 0.2 * mean) return;
     window_.path += speed * step;
     window_.duration += step;
-    window_.asked += coefficient(pair, speed) * touch.normal * step;
-    window_.slip = vector::sum(window_.slip, vector::scaled(touch.slip, step));
-    window_.impulse = vector::sum(window_.impulse, vector::scaled(touch.friction, step));
+    window_.asked += coefficient(pair, speed) * status.normal * step;
+    window_.slip = vector::sum(window_.slip, vector::scaled(status.slip, step));
+    window_.impulse = vector::sum(window_.impulse, vector::scaled(status.friction, step));
     const double elasticSlip =
-        pair.friction * touch.meanDepth * pair.normalScale / pair.tangentialScale;
+        pair.friction * status.meanDepth * pair.normalScale / pair.tangentialScale;
     if (window_.path > manySprings * elasticSlip) close();
 }
 

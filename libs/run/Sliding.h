@@ -5,16 +5,16 @@
 namespace fpm {
 
 /// Friction of a pair while it slides as a whole, against that of Coulomb: mean forces over windows
-/// of slip in which it goes one way, far beyond what its tangential springs give. Bodies that
-/// stick, hammer or slip all ways at once are not judged.
+/// of slip in one direction, far beyond what its tangential springs give. Bodies that
+/// stick, hammer or slip in all directions at once are not judged.
 class Sliding
 {
 public:
-    void sample(double time, const PairTouch& touch, const ContactPair& pair);
+    void sample(double time, const PairStatus& status, const ContactPair& pair);
     bool isJudged() const { return windows_ >= fewestWindows; }
-    /// Friction delivered over friction asked for.
+    /// Friction delivered over that of Coulomb's law.
     double ratio() const { return asked_ > 0 ? delivered_ / asked_ : 1; }
-    /// End of the window that delivered least of what was asked for.
+    /// End of the window that delivered least of it.
     double worstTime() const { return worstTime_; }
 
 private:
@@ -26,7 +26,7 @@ private:
 
     static constexpr int fewestWindows = 5;
     static constexpr double manySprings = 20;    ///< path of a window in elastic slips
-    static constexpr double straightShare = 0.9; ///< way over path
+    static constexpr double straightShare = 0.9; ///< displacement over path
     static constexpr double together = 0.7;      ///< mean slip over mean of its lengths
 
     Window window_;

@@ -21,7 +21,7 @@ void addRelaxation(SolverSetUp& data, const Model& model)
     for (const Condition& condition : data.nodes.conditions) wait(condition);
     for (const SurfaceShape& surface : data.contact.surfaces)
         if (surface.moves) wait(surface.motion);
-    for (const ContactPassSetup& pair : data.contact.passes) held = std::max(held, pair.fadeTime);
+    for (const ContactPassSetup& pass : data.contact.passes) held = std::max(held, pass.fadeTime);
 }
 
 } // namespace

@@ -41,7 +41,7 @@ double faceWidth(const Mesh& mesh)
     return std::sqrt(area(mesh, ElementSide{0, 0}));
 }
 
-/// Moves the contactors of a pair into its target, where that looks one way.
+/// Moves the contactors of a pair into its target, where that has one normal direction.
 void press(Model& model, const ContactPair& pair, double depth)
 {
     Point mean{0, 0, 0};

@@ -11,8 +11,9 @@ namespace fpm {
 struct Bounds {
     double elementStep = 0; ///< that bound [time]
     double withContact = 1; ///< 2 / sqrt(omega_e^2 + omega_c^2)
-    double quality = 0;     ///< omega_c dt <= 0.5: a touch makes no energy; 0: no contact
-    double eigenvalue = 0;  ///< 2 / omega_max of all elements and closed springs; 0: not asked for
+    double quality = 0;     ///< omega_c dt <= 0.5: closing and opening contacts create no energy;
+                            ///< 0: no contact
+    double eigenvalue = 0;  ///< 2 / omega_max of all elements and closed springs; 0: not computed
     /// What a step must stay below: elements with contact, and quality where there is contact.
     double both() const { return quality > 0 ? std::min(withContact, quality) : withContact; }
 };
@@ -23,8 +24,8 @@ StepClock firstStep(const Model& model);
 /// Bounds of the model at its start; springs within reach count before they close.
 Bounds boundsOf(const Model& model);
 
-/// The largest frequency of the discrete model with its touching contacts pressed [1/time], by
-/// power iteration on M^-1 K, K v being the change of the solver's own forces along a small v; from
+/// Largest frequency of the discrete model with its active contacts closed [1/time], by power
+/// iteration on M^-1 K, K v being the change of the solver's own forces along a small v; from
 /// below, within about 1 %.
 double largestFrequency(const Model& model, double elementStep);
 

@@ -17,7 +17,7 @@ inline constexpr std::array<ContactVariant, 3> allVariants{
 const char* nameOf(ContactVariant variant);
 
 /// What becomes of contact there. `refused`, `warned`: at set-up, in the words that the entry has;
-/// `none`: the way does not exist.
+/// `none`: the variant does not exist.
 enum class Fate { holds, loses, warned, refused, none };
 const char* nameOf(Fate fate);
 
@@ -28,7 +28,7 @@ struct Measure {
     bool stopped = false; ///< it was an error, not a warning
 };
 
-/// One way in which node-to-face penalty contact fails, and the scene that shows it.
+/// One failure of node-to-face penalty contact, and the scene that shows it.
 struct Failure {
     int number;             ///< F1 to F27, as doc/failures.md counts
     std::string name{};     ///< of the scene
@@ -36,18 +36,18 @@ struct Failure {
     std::string quantity{}; ///< what is measured; its unit, where it has one
     double limit = 0;       ///< the value may be that large ...
     bool atLeast = false;   ///< ... or, that small
-    std::string reason{};   ///< where the limit comes from
+    std::string reason{};   ///< source of the limit
     std::string words{};    ///< set-up: part of what must be said; there is no value then
-    std::array<Fate, 3> expected{Fate::holds, Fate::holds, Fate::none}; ///< by Way
+    std::array<Fate, 3> expected{Fate::holds, Fate::holds, Fate::none}; ///< by ContactVariant
     std::string remedy{}; ///< what the default does about it, or what to choose
-    std::string note{};   ///< why a way loses, or holds though it was said to lose
+    std::string note{};   ///< why a variant loses contact, or holds against expectation
     std::function<Measure(ContactVariant)> run{};
 };
 
 /// All entries by number. Scenes of a few hundred elements, none longer than about a second.
 const std::vector<Failure>& catalogue();
 
-/// What one way through one scene gave.
+/// Result of one variant in one scene.
 struct Verdict {
     Measure measure;
     Fate fate = Fate::none;

@@ -54,7 +54,7 @@ Measure fastBrick(ContactVariant variant)
 }
 
 /// F9: layers a tenth as thick as an element is wide, struck by a block at 200 m/s. Deepest mean
-/// overlap of two neighbours over the thickness; 2 where a node was let go or the run failed.
+/// overlap of two neighbours over the thickness; 2 where a node was released or the run failed.
 Measure thinLayers(ContactVariant variant)
 {
     constexpr double thickness = 0.05;
@@ -86,8 +86,8 @@ Measure thinLayers(ContactVariant variant)
     return {solver->clock().failed ? 2 : deepest, {}};
 }
 
-/// F14: a cube thrown along the diagonal into the corner of three loose walls. The least of what
-/// comes back along an axis over what went in, 0 where the balance is off by 1 %.
+/// F14: a cube thrown along the diagonal into the corner of three loose walls. Least ratio along an
+/// axis of the momentum returned to that before the impact, 0 where the balance is off by 1 %.
 Measure cornerOfWalls(ContactVariant variant)
 {
     Model model;
@@ -211,8 +211,8 @@ std::vector<Failure> impactFailures()
          .quantity = "first speed that is lost, over that of waves",
          .limit = 1,
          .atLeast = true,
-         .reason = "a step no longer than a wave's way through an element",
-         .remedy = "the step bounds the way; searches while the lists last",
+         .reason = "a step no longer than a wave takes through an element",
+         .remedy = "the step bounds the displacement; lists are rebuilt before they become invalid",
          .note = "both search in time; what fails first is the depth at which a node is found",
          .run = fastBrick},
         {.number = 9,
@@ -221,12 +221,12 @@ std::vector<Failure> impactFailures()
          .quantity = "deepest mean overlap over the thickness",
          .limit = 0.5,
          .reason = "half a layer: beyond it the other side is nearer",
-         .remedy = "pairs know their sides; nodes are followed, not found again",
+         .remedy = "pairs have defined sides; nodes are tracked, not searched again",
          .run = thinLayers},
         {.number = 14,
          .name = "cornerOfWalls",
          .fails = "In a concave corner one wall is chosen and the others are violated.",
-         .quantity = "momentum that comes back along the worst axis",
+         .quantity = "momentum returned along the worst axis",
          .limit = 0.5,
          .atLeast = true,
          .reason = "elastic walls give back most; a violated one nothing",
@@ -262,8 +262,8 @@ std::vector<Failure> impactFailures()
          .limit = 1e-11,
          .reason = "conservation",
          .expected = {Fate::holds, Fate::loses, Fate::none},
-         .remedy =
-             "the force acts along the line to its foot; a couple on the face balances friction",
+         .remedy = "the force acts along the line to the projection point; a couple on the face "
+                   "balances friction",
          .note = "eqs. 17-18 as printed leave the moment friction times gap",
          .run =
              [](ContactVariant variant) {

@@ -153,8 +153,8 @@ Measure layerStack(ContactVariant variant)
     return {worst, {}};
 }
 
-/// F18: two blocks of unlike meshes pressed together slowly. Root mean square of force over travel
-/// about its value at rest, from a tenth of the way on.
+/// F18: two blocks of unlike meshes pressed together slowly. Root mean square of the force against
+/// displacement about its value at rest, after the first tenth.
 Measure slowPressing(ContactVariant variant)
 {
     const double end = 4e-4, depth = 0.01;
@@ -246,9 +246,9 @@ std::vector<Failure> pressingFailures()
         {.number = 18,
          .name = "slowPressing",
          .fails = "Nodes alternate in and out and the force is noisy.",
-         .quantity = "root mean square of force over travel about its rest",
+         .quantity = "root mean square of force against displacement about its rest",
          .limit = 0.01,
-         .reason = "elastic bodies pressed slowly: force goes with travel",
+         .reason = "elastic bodies pressed slowly: force follows displacement",
          .remedy = "none needed; contact damping exists",
          .run = slowPressing},
     };

@@ -29,7 +29,7 @@ std::string numberOf(const Failure& failure)
     return format("F{}", failure.number);
 }
 
-/// Rounding has no digits worth telling.
+/// Rounding errors are printed without digits.
 std::string short_(double value)
 {
     return std::abs(value) < 1e-9 && value != 0 ? std::string("< 1e-9") : toText(value, 2);
@@ -67,7 +67,7 @@ void printRow(const CatalogueRow& row, Log& log)
     }
 }
 
-/// Runs all rows; `told` is called for each as it is done, never at the same time.
+/// Runs all rows in `threads` threads.
 void runRows(std::vector<CatalogueRow>& rows, int threads)
 {
     std::atomic<std::size_t> next{0};
@@ -92,7 +92,7 @@ void runRows(std::vector<CatalogueRow>& rows, int threads)
 
 constexpr std::array<const char*, 5> colours{"#cfe8d5", "#8f1d21", "#f6d776", "#8ecae6", "#f3f4f6"};
 
-/// A matrix: a row an entry, a column a way, coloured by fate.
+/// A matrix: one row per entry, one column per variant, coloured by outcome.
 std::string matrixChart(const std::vector<CatalogueRow>& rows)
 {
     constexpr double left = 190, top = 70, width = 150, height = 20;

@@ -5,7 +5,7 @@
 
 namespace fpm {
 
-/// One entry with what became of it, by Way.
+/// One entry with its results, by ContactVariant.
 struct CatalogueRow {
     const Failure* failure = nullptr;
     std::array<Verdict, 3> verdicts;

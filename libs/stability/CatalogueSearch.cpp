@@ -71,7 +71,7 @@ Held largeFace()
     return held;
 }
 
-/// F23, F25: two sheets of one height that touch along x = 4, their nodes not shared or, `merged`,
+/// F23, F25: two sheets of one height in contact along x = 4, their nodes not shared or, `merged`,
 /// one sheet; a plate over both, some of its nodes nearer to the seam than they are deep.
 Held meshSeam(bool merged)
 {
@@ -195,7 +195,7 @@ std::vector<Failure> searchFailures()
          .limit = 0,
          .reason = "a node inside is in contact",
          .expected = {Fate::holds, Fate::loses, Fate::none},
-         .remedy = "search by distance to faces, and only faces that look at the contactor",
+         .remedy = "search by distance to faces, and only faces that oppose the contactor",
          .note = "the paper's closest particle lies on the wrong flank",
          .run = grooveNode},
         {.number = 2,
@@ -206,7 +206,7 @@ std::vector<Failure> searchFailures()
          .reason = exact,
          .remedy = "search by distance to faces",
          .note = "the paper's search takes another face for every sixth node, but its projection "
-                 "then looks at all faces around the corner nearest there, and finds it",
+                 "then tests all faces around the corner nearest there, and finds it",
          .run =
              [](ContactVariant variant) {
                  return Measure{forceError(shearedFaces(), variant), {}};

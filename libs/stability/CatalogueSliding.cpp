@@ -43,7 +43,8 @@ Point flat(double x)
     return {x, 0, 0};
 }
 
-/// Largest change of the force between looks, over the force, until the block has gone `variant`.
+/// Largest change of the force between samples, over the force, until the block has moved by
+/// `variant`.
 Measure worstJerk(const Model& model, double distance)
 {
     const auto solver = startedSolver(model);
@@ -73,9 +74,9 @@ Measure gradedFaces(ContactVariant variant)
     return worstJerk(asVariant(slider(graded, 0.3, -0.01, {1e6, 0, 0}), variant), 10);
 }
 
-/// F6: led over a ridge of twice 22 degrees, 0.2 below its top. Error of the energy
-/// over that of the springs, as a share of what the step in which the normal turns may cost: the
-/// force changes by 0.8 k g along its way, over k g^2 / 2.
+/// F6: led over a ridge of twice 22 degrees, 0.2 below its top. Error of the energy over that of
+/// the springs, in units of what the step in which the normal turns may cause: the force changes by
+/// 0.8 k g along its displacement, over k g^2 / 2.
 Measure kinkedTrack(double friction, ContactVariant variant)
 {
     const double depth = 0.2, step = 2e-8, speed = 2e5;
@@ -98,8 +99,9 @@ Measure kinkedTrack(double friction, ContactVariant variant)
     return {worst / most / (0.8 * speed * step / depth), {}};
 }
 
-/// F15: off the end of the track at x = 12. How far beyond it a node is still held, over the width
-/// of a face; 1 where a node is let go before the end or the force is not that of those held.
+/// F15: off the end of the track at x = 12. Distance beyond it at which a node is still in contact,
+/// over the width of a face; 1 where a node is released before the end or the force is not that of
+/// the nodes in contact.
 Measure tableEdge(ContactVariant variant)
 {
     const double speed = 1e5;
@@ -224,7 +226,7 @@ Measure restingSlip(double width, ContactVariant variant)
 }
 
 /// F21: a block pressed with changing force and sheared to and fro beyond sticking. Worst error of
-/// the balance, or the share of the friction work that came back.
+/// the balance, or the share of the friction work that was returned.
 Measure cyclicShear(ContactVariant variant)
 {
     Model model;
@@ -279,19 +281,21 @@ std::vector<Failure> slidingFailures()
          .fails = "Where the normal turns at once the force makes energy.",
          .quantity = "error of the energy over what the step of the turn may cost",
          .limit = 1.000001,
-         .reason = "change of the force times the way of that step, exact in the worst phase, "
-                   "which this is; rounding",
+         .reason =
+             "change of the force times the displacement of that step, exact in the worst phase, "
+             "which this is; rounding",
          .remedy = "the force is the gradient of a potential",
          .run = [](ContactVariant variant) { return kinkedTrack(0, variant); }},
         {.number = 6,
          .name = "roughKink",
-         .fails = "Where the normal turns at once friction keeps its old direction, or books a way "
-                  "nobody went.",
+         .fails = "Where the normal turns at once friction keeps its old direction, or counts slip "
+                  "that did not occur.",
          .quantity = "error of the energy over what the step of the turn may cost",
          .limit = 1,
          .reason = "as without friction",
          .expected = {Fate::holds, Fate::loses, Fate::none},
-         .remedy = "the stored force turns with the face; a foot that leaps makes no slip",
+         .remedy =
+             "the stored force turns with the face; a projection point that jumps makes no slip",
          .note = "eqs. 17-18 as printed do not turn the stored force into the new plane",
          .run = [](ContactVariant variant) { return kinkedTrack(0.3, variant); }},
         {.number = 7,
@@ -307,7 +311,7 @@ std::vector<Failure> slidingFailures()
         {.number = 15,
          .name = "tableEdge",
          .fails = "A node that has left the target over its end is still held.",
-         .quantity = "way beyond the end over the width of a face",
+         .quantity = "distance beyond the end over the width of a face",
          .limit = 0.012,
          .reason = "margin of a hundredth, and one step",
          .remedy = "free edges end the surface, but for a margin",
@@ -331,7 +335,7 @@ std::vector<Failure> slidingFailures()
          .limit = 0.01,
          .reason = "springs k_t by hand; a rigid motion changes no traction",
          .expected = {Fate::holds, Fate::loses, Fate::none},
-         .remedy = "the way beyond the edge is measured in axes of the face",
+         .remedy = "the displacement beyond the edge is measured in axes of the face",
          .note = "as turnedPair",
          .run = [](ContactVariant variant) { return turnedPair(1, variant); }},
         {.number = 20,
@@ -348,7 +352,8 @@ std::vector<Failure> slidingFailures()
          .quantity = "error of the elastic slip, early and late",
          .limit = 0.01,
          .reason = "load over four springs k_t",
-         .remedy = "the way of a contactor beyond a free edge counts, though its foot stays on it",
+         .remedy = "the displacement of a contactor beyond a free edge counts, though its "
+                   "projection point stays on it",
          .run = [](ContactVariant variant) { return restingSlip(1, variant); }},
         {.number = 21,
          .name = "cyclicShear",
@@ -356,7 +361,7 @@ std::vector<Failure> slidingFailures()
          .quantity = "error of the balance, or share of friction work given back",
          .limit = 1e-9,
          .reason = "all motion is imposed: the balance is exact but for rounding",
-         .remedy = "friction work is booked from force and way",
+         .remedy = "friction work is summed from force and slip",
          .run = cyclicShear},
     };
 }

@@ -13,7 +13,7 @@ namespace fpm {
 namespace {
 
 constexpr double width = 720, left = 84, right = 694, frameHeight = 380;
-/// From harmless to lost; told apart in grey too.
+/// From harmless to lost; distinct in grey too.
 constexpr std::array<const char*, outcomeCount> colours{"#cfe8d5", "#f6d776", "#c9b6e4", "#8ecae6",
                                                         "#3a6ea5", "#d98032", "#8f1d21"};
 

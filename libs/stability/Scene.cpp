@@ -118,7 +118,7 @@ Trial slidingCorner(const Setting& set)
     return trial;
 }
 
-/// Three thin layers in touch, struck by a block.
+/// Three thin layers in contact, struck by a block.
 Trial thinLayers(const Setting& set)
 {
     Trial trial;

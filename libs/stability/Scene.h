@@ -9,7 +9,7 @@
 
 namespace fpm {
 
-/// A model to be driven to where it fails, and how to tell that it was lost.
+/// A model to be driven to failure, and the criterion by which it is lost.
 struct Trial {
     Model model;
     bool staysClosed = false;        ///< contact that opens again and again chatters
@@ -21,7 +21,7 @@ struct Trial {
 /// Something that fits in a few hundred elements.
 struct Scene {
     std::string name;
-    std::vector<std::string> parameters; ///< that it knows
+    std::vector<std::string> parameters; ///< of the scene
     std::function<Trial(const Setting&)> make;
 };
 

@@ -17,7 +17,7 @@ namespace fpm {
 /// The aluminium of the plate scene, elastic, hourglass stiffness; nu 0.3 but where it is given.
 Part aluminiumPart(const std::string& name, double poissonsRatio = 0.3);
 
-/// Outer sides of a part that look along `direction` (within 45 degrees).
+/// Outer sides of a part whose normals point along `direction` (within 45 degrees).
 std::vector<ElementSide> facing(const Mesh& mesh, const std::string& part, Point direction);
 /// Nodes of the mesh whose position satisfies `here`, ascending.
 std::vector<Index> nodesWhere(const Mesh& mesh, const std::function<bool(Point)>& here);
@@ -42,7 +42,7 @@ void finishScene(Model& model, Index patch = 256);
 
 /// Started, ready to advance.
 std::unique_ptr<Solver> startedSolver(const Model& model, bool audit = false);
-/// v^(n-1/2), the velocity the solver keeps, from the v^n it tells.
+/// v^(n-1/2), the velocity the solver keeps, from the v^n it reports.
 std::vector<Point> halfStepVelocities(Solver& solver);
 /// Linear momentum of the nodes in `list` (all when empty) at v^(n-1/2).
 Point momentum(Solver& solver, const std::vector<Index>& list = {});

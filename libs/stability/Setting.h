@@ -31,7 +31,7 @@ inline const std::string timeStep = "timeStepFactor", ///< of the first bound fr
     mesh = "meshRatio",                               ///< face width of target over contactor
     density = "densityRatio", stiffness = "stiffnessRatio", ///< of contactor over target
     aspect = "aspectRatio",                                 ///< width over height of an element
-    gap = "gap",                                            ///< before the first touch [mm]
+    gap = "gap",                                            ///< before first contact [mm]
     hourglass = "hourglass";                                ///< coefficient of every part
 } // namespace parameter
 

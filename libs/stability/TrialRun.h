@@ -14,7 +14,7 @@ struct TrialLimits {
     int steps = 500;
     double energy = 0.01;      ///< error of the balance
     double penetration = 0.25; ///< mean depth weighted by force, over the width of a face
-    double chatter = 0.2;      ///< changes between closed and open over looks
+    double chatter = 0.2;      ///< changes between closed and open from sample to sample
 };
 
 struct TrialResult {
@@ -23,7 +23,7 @@ struct TrialResult {
     double steps = 0;                        ///< done
 };
 
-/// Runs the trial with the step that `setting` asks for (automatic without) and judges it.
+/// Runs the trial with the step of `setting` (automatic without) and judges it.
 TrialResult runTrial(const Trial& trial,
                      const Setting& setting,
                      const Bounds& bounds,

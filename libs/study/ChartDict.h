@@ -25,7 +25,7 @@ struct ChartProbe {
     std::string x, y;
     double xScale = 1, yScale = 1;
     double average = 0;     ///< width of x of a running mean; 0: none
-    bool perLength = false; ///< y are shares of nodes, told per length of x
+    bool perLength = false; ///< y are shares of nodes, given per length of x
     Measure measure = Measure::l2;
     ReferenceSpec reference;
 };

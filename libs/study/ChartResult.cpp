@@ -206,7 +206,7 @@ std::vector<RungResult> costsOf(const ChartSpec& chart, const Plan& plan, const 
             result.row = rows.front();
             result.state = rows.front().state;
             std::vector<double> costs;
-            // A repeat cut off by the time limit cost more than its row tells.
+            // A repeat stopped by the time limit cost more than its row says.
             for (const RunRow& row : rows)
                 if (row.state == result.state) costs.push_back(costOf(row, chart.cost));
             const auto [least, most] = std::minmax_element(costs.begin(), costs.end());

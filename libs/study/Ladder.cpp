@@ -116,7 +116,7 @@ void requireKnown(const Dictionary& entry,
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     entry.fail(key,
-               format("{} knows no '{}'{}", change.file, path[depth],
+               format("{} has no entry '{}'{}", change.file, path[depth],
                       existing.empty() ? "" : " in " + existing),
                suggestion(path[depth], candidates));
 }

@@ -12,7 +12,7 @@ struct Ladder {
     std::string name;
     std::vector<std::string> values;              ///< of the rungs, as they are called
     std::vector<std::vector<CaseChange>> changes; ///< of every value
-    std::vector<double> steps; ///< of every value: whose order is told; empty where none is
+    std::vector<double> steps; ///< of every value: whose order is reported; empty where none is
     /// Of every value: a smaller one is finer; empty where no value is finer than another.
     std::vector<double> coarseness;
 };
@@ -20,9 +20,9 @@ struct Ladder {
 /// The entries of `fixed`: what all runs of a chart have. Throws as readLadders.
 std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase);
 
-/// The entries of `ladders`, for runs that have `fixed`. Throws InputError for entries that neither
-/// the case nor folders laid over it nor the annotated dictionaries know, unknown folders, values
-/// given twice, names or steps that are not one a value.
+/// The entries of `ladders`, for runs that have `fixed`. Throws InputError for entries that are
+/// neither in the case nor in folders laid over it nor in the annotated dictionaries, unknown
+/// folders, values given twice, names or steps that are not one per value.
 std::vector<Ladder> readLadders(const Dictionary& entries,
                                 const Case& theCase,
                                 const std::vector<CaseChange>& fixed = {});

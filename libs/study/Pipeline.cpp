@@ -32,7 +32,7 @@ std::string textOf(const fs::path& file)
     return text.str();
 }
 
-/// Ends that say nothing about the run: somebody stopped it, or the disk is full.
+/// Ends that say nothing about the run: it was stopped from outside, or the disk is full.
 void requireResult(const std::string& program, const ProcessEnd& end, const fs::path& log)
 {
     const auto code = ExitCode(end.exitCode);

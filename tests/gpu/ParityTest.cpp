@@ -29,7 +29,7 @@ std::string backendUnderTest()
     return named ? named : "cuda";
 }
 
-/// What two backends must agree on: the state, and all that the host is told.
+/// What two backends must agree on: the state, and all that the host reads.
 struct Outcome {
     std::uint64_t state = 0;
     std::map<std::string, std::vector<double>> read;
@@ -66,7 +66,7 @@ Outcome outcomeOf(Solver& solver, const Model& model)
         out.add("pair force", {f.force.begin(), f.force.end()});
         out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
                          f.friction, f.damping});
-        const PairTouch t = solver.contact().touch(pair);
+        const PairStatus t = solver.contact().status(pair);
         out.add("touch", {double(t.active), t.maxDepth, t.meanDepth, double(t.deepest), t.thickness,
                           t.normal, t.speed});
         out.add("slip and friction",

@@ -5,39 +5,44 @@
 
 namespace fpm {
 
-/// An entry of a list: the next one, -1: none, and the cell it was entered for.
+/// Entry of a linked list: the next entry (-1 ends the list) and the cell it was entered for.
 struct CellEntry {
     Index next;
     std::uint32_t cell;
 };
 
-/// Cubic cells kept in a hash table of linked lists, so that a stray node far away costs nothing.
-/// Cells of level l are 2^l times as wide. A face is entered once, where the middle of its box
-/// lies, on a level whose cells are half as wide as the box or wider: whoever is in the box finds
-/// it in his own cell or one of the 26 around. Level `levels` is one cell for all that no other
-/// would hold. Entries that share a list by chance are told apart by their cells.
+/// Cell lists of the broad phase: cubic cells of eqs. (12) and (13) of the paper, kept in a hash
+/// table of linked lists instead of a bounding box, so that a stray node far away costs no memory.
+/// Cells of level l are 2^l times as wide. A face is entered once, in the cell of the centre of its
+/// bounding box, on a level whose cells are at least half as wide as that box: every point inside
+/// the box finds the face in its own cell or in one of the 26 adjacent ones. Level `levels` is a
+/// single cell for all faces that are too large for the others. Cells that share a list by hash
+/// collision are told apart by the cell stored with each entry.
 struct CellLists {
-    Index* head; ///< [mask + 1], -1: empty; then one a level: that of the last level, and for
-                 ///< the others -1 where the level is empty
+    Index* head; ///< [mask + 1] first entries of the lists, -1: empty; then one value per level:
+                 ///< the list of the last level, and for the others -1 where the level has no entry
     CellEntry* entries; ///< [faces or target nodes]
     std::uint32_t mask;
     double cellSize;
     Index levels;
     static constexpr Index mostLevels = 31;
 
+    /// Index of a cell along one axis, eq. (13) of the paper.
     FPM_KERNEL static std::int64_t cellOf(double coordinate, double size)
     {
         const double cell = ::floor(coordinate / size);
-        return cell > -1e15 && cell < 1e15 ? std::int64_t(cell) : 0; // NaN goes to cell 0
+        return cell > -1e15 && cell < 1e15 ? std::int64_t(cell) : 0; // a NaN is entered in cell 0
     }
-    /// Cells in a row along x have lists side by side.
+    /// List of a cell, the index of eq. (12) hashed. Cells that are neighbours along x have
+    /// neighbouring lists.
     FPM_KERNEL Index* list(std::int64_t x, std::int64_t y, std::int64_t z, Index level = 0) const
     {
         const std::uint32_t row = std::uint32_t(y) * 19349663u ^ std::uint32_t(z) * 83492791u
                                   ^ std::uint32_t(level) * 2654435761u;
         return head + (((row ^ (row >> 15)) + std::uint32_t(x)) & mask);
     }
-    /// Tells a cell from its neighbours, from all other levels and from most others.
+    /// Key that distinguishes a cell from its neighbours, from all other levels and from most other
+    /// cells.
     FPM_KERNEL static std::uint32_t
     nameOf(std::int64_t x, std::int64_t y, std::int64_t z, Index level)
     {
@@ -49,7 +54,8 @@ struct CellLists {
         return head + (std::size_t(mask) + 1 + level);
     }
 
-    /// found(face) for the faces whose boxes, as they were entered, hold the node, and others.
+    /// Broad phase: calls found(face) for every face whose bounding box, as it was entered, holds
+    /// the node, and for some others.
     template <class Numbers, class Found>
     FPM_KERNEL void
     forEachFace(const ContactPassView<Numbers>& pass, Index node, const Found& found) const
@@ -77,7 +83,7 @@ struct CellLists {
     }
 };
 
-/// Enters a target face into the cell where the middle of its box lies, its margin included, on the
+/// Enters a target face into the cell of the centre of its bounding box, margin included, on the
 /// first level whose cells are at least half as wide as the box (`search faces`).
 template <class Numbers>
 struct InsertFace {
@@ -112,11 +118,13 @@ struct InsertFace {
         for (int c = 0; c < 3; ++c) cell[c] = CellLists::cellOf(middle[c], size);
         cells.insert(face, cells.list(cell[0], cell[1], cell[2], level),
                      CellLists::nameOf(cell[0], cell[1], cell[2], level));
-        if (atomicLoadIndex(last) < 0) atomicExchangeIndex(last, face); // whichever: there are some
+        // Any face: it only marks the level as used.
+        if (atomicLoadIndex(last) < 0) atomicExchangeIndex(last, face);
     }
 };
 
-/// Enters a target node into its cell (`search closestParticle`, the paper's connected list).
+/// Enters a target node into its cell (`search closestParticle`, the connected list of the paper's
+/// section 3.2.2).
 template <class Numbers>
 struct InsertTarget {
     ContactPassView<Numbers> pass;

@@ -4,19 +4,19 @@
 
 namespace fpm {
 
-/// Where on a face a closest point lies: inside (its borders too, but for rounding), on the edge
-/// from corner k to k + 1 (k), or at a corner (4 + k).
+/// Region of a face that holds its closest point: the interior (with the borders, within rounding),
+/// edge k from corner k to k + 1, or corner k (4 + k).
 inline constexpr int insideFace = -1;
 inline constexpr int firstCorner = 4;
 
-/// The point of a face that is nearest to the contactor.
+/// Point of a face that is nearest to the contactor: the closest-point projection.
 template <class Work>
 struct FacePoint {
     Work xi, eta, square; ///< square of the distance
     int where;
 };
 
-/// Natural coordinates of the point a share `t` along an edge.
+/// Natural coordinates of the point at the fraction `t` of an edge.
 template <class Work>
 FPM_KERNEL void edgePoint(int edge, Work t, Work& xi, Work& eta)
 {
@@ -25,7 +25,7 @@ FPM_KERNEL void edgePoint(int edge, Work t, Work& xi, Work& eta)
     eta = edge == 0 ? Work(-1) : edge == 1 ? along : edge == 2 ? Work(1) : -along;
 }
 
-/// The share of a point that lies on an edge.
+/// Fraction of the edge at which a point on it lies.
 template <class Work>
 FPM_KERNEL Work shareAlong(int edge, Work xi, Work eta)
 {
@@ -53,8 +53,8 @@ FPM_KERNEL FacePoint<Work> closestRimPoint(const FaceCorners<Work>& face)
     return best;
 }
 
-/// Whether the contactor lies inwards of the edge as seen from a point on it: then a point inside
-/// the face is nearer.
+/// Whether the contactor lies on the inner side of the edge as seen from a point on it; then a
+/// point inside the face is nearer.
 template <class Work>
 FPM_KERNEL bool pullsInwards(const FaceCorners<Work>& face, const FacePoint<Work>& rim)
 {
@@ -103,9 +103,10 @@ FPM_KERNEL FacePoint<Work> closestTrianglePoint(const FaceCorners<Work>& face,
     return best;
 }
 
-/// Nearest point of the face, from a start value near it or (0, 0). Newton's method inside; on the
-/// edges, segment by segment; on the two triangles where Newton fails, as it may on strongly warped
-/// faces that are a face's width away.
+/// Closest-point projection onto a face, from a start value near it or (0, 0): Newton's method
+/// inside, eq. (14) of the paper; beyond |xi| = 1 or |eta| = 1 the nearest point of the four edges;
+/// the nearest point of two triangles where Newton's method fails, as it may on strongly warped
+/// faces one face width away.
 template <class Work>
 FPM_KERNEL FacePoint<Work> closestPoint(const FaceCorners<Work>& face, Work xi, Work eta)
 {

@@ -8,9 +8,10 @@
 
 namespace fpm {
 
-/// Tracks the face of one contactor, measures the gap and adds the penalty and friction forces to
-/// both sides (eqs. 15-18 of the paper; gap g = (x_c - x_p) . n). `friction`: a kernel of its own
-/// for pairs without, which on a GPU needs fewer registers (doc/performance.md).
+/// Contact force of the contactors of a pass: narrow phase (tracking and closest-point projection),
+/// gap g = (x_c - x_p) . n, penalty and friction force on both sides; eqs. (15) to (18) of the
+/// paper. `friction`: passes without friction have a kernel of their own, which needs fewer
+/// registers on a GPU (doc/performance.md).
 template <class Numbers, bool friction>
 struct ContactForce {
     using Work = typename Numbers::Work;
@@ -18,11 +19,11 @@ struct ContactForce {
     ContactPassView<Numbers> pass;
     CellLists cells;
 
-    /// Of a GPU: gathers wait for memory, and what spills then is the rare corner.
+    /// On a GPU the kernel waits for gathers from memory; only rare branches spill registers.
     static constexpr int blocksPerProcessor = sizeof(Work) == 4 ? 2 : 1;
 
-    /// Contactors of one block: those that lie over the face they are tracked on, most of them, as
-    /// many lanes at a time as the team has; the others one by one.
+    /// Contactors of one block: those that stay over the face they are tracked on, which are most
+    /// of them, in as many lanes at a time as the team has; the others one by one.
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
@@ -52,7 +53,7 @@ private:
         Work thickness;
     };
 
-    /// Contactors first ... first + lanes of T - 1, those that there are.
+    /// Contactors first ... first + lanes of T - 1, as far as they exist.
     template <class T>
     FPM_KERNEL void applyForcesOfBatch(Index first, const BlockForce& total) const
     {
@@ -69,7 +70,7 @@ private:
                 open(i, Work(1));
         }
     }
-    /// Spring, friction and damping against the face found now.
+    /// Penalty spring, friction and damping against the face found in this step.
     FPM_KERNEL void applyForces(Index i, const Tracked<Work>& now, const BlockForce& total) const
     {
         const Place<Work> origin{pass.face[i], pass.xi[i], pass.eta[i]};
@@ -118,11 +119,11 @@ private:
         distribute(i, now, gap < 0, here, force, frictionPart, stiffness, total);
     }
 
-    /// What the target is to a contactor; where several faces have its foot in common, all of them:
-    /// the mean stiffness, since each bears an equal share with a spring of its own, the least
-    /// mass, and the thickness of whichever holds it longest. A closed spring keeps the stiffness
-    /// it closed with, so that its force has a potential also where the contactor comes to faces of
-    /// another.
+    /// Stiffness, mass and thickness of the target at a contactor. Where several faces share its
+    /// projection point, they all count: the mean stiffness, since each bears an equal share with a
+    /// spring of its own, the least mass, and the largest thickness. A closed spring keeps the
+    /// stiffness with which it closed: then its force has a potential also where the contactor
+    /// slides onto faces of another stiffness.
     FPM_KERNEL Partner partnerOf(Index i, const Tracked<Work>& now) const
     {
         const PassLaw<Work>& law = pass.law;
@@ -159,21 +160,23 @@ private:
         pass.face[i] = releasedFace;
         if (pass.injected) pass.injected[pass.contactorCount + i] = 0; // see relievedGap
     }
-    /// No touch: no force. Who did not touch before has nothing to tell.
+    /// Separated: no force. A contactor that was separated before has no stored energy to account
+    /// for.
     FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
     {
         if (!(pass.law.spring[i] > 0)) return;
         pass.law.open(i, stiffness, gapChange);
     }
 
-    /// Change of the gap in this step.
+    /// Change of the gap in this step, Delta g_N.
     FPM_KERNEL Work approach(Index i, Index face, const Projection<Work>& at) const
     {
         return dot(Slip<Numbers>{pass, i}.relativeDisplacement(face, at), at.normal);
     }
-    /// Friction on the contactor. The stored force turns with the face it belongs to; where the
-    /// contactor has come from another one, that face as it lies now hands it over. `here`: the
-    /// faces at its foot; `held`: the force as it is stored.
+    /// Tangential force on the contactor. The stored traction is convected with its face; where the
+    /// contactor has moved to another face, it is rotated from the old face in its current position
+    /// into the new one. `here`: the faces at the projection point; `held`: receives the traction
+    /// as stored.
     FPM_KERNEL Vec3<Work> tangential(Index i,
                                      const Tracked<Work>& now,
                                      const Faces& here,
@@ -214,9 +217,10 @@ private:
         return frame.vector(held, at.normal);
     }
 
-    /// Forces on the target, and the contactor's as minus their exact sum. `here`: the faces at its
-    /// foot, none without friction. `frictionPart`: what of the force has a couple. The stiffness
-    /// of every spring within reach enters the bound of the step before it closes.
+    /// Adds the forces on the target and the force on the contactor, which is minus their exact
+    /// sum. `here`: the faces at the projection point, none without friction. `frictionPart`: the
+    /// part of the force that acts with a couple. Every spring within reach enters the stability
+    /// bound before it closes.
     FPM_KERNEL void distribute(Index i,
                                const Tracked<Work>& now,
                                bool closed,
@@ -245,7 +249,7 @@ private:
         }
         sums.addStiffness(number, double(bound));
     }
-    /// Several faces have equal shares of the force and, on a border, of the couple.
+    /// Several faces take equal shares of the force and, on a border, of the couple.
     template <class AnyFaces>
     FPM_KERNEL void distributeToFaces(Index i,
                                       const AnyFaces& faces,
@@ -259,7 +263,8 @@ private:
             addToFace(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
                       part * faces.image(k, frictionPart), part * bound, own);
     }
-    /// Shares of the four corners, -N_I F and the couple's; `own` takes what balances them.
+    /// Forces -N_I F on the four corners, and those of the couple; `own` takes the opposite of
+    /// their sum.
     FPM_KERNEL void addToFace(Index i,
                               Index face,
                               Work xi,
@@ -297,14 +302,15 @@ private:
     }
 };
 
-/// Largest stiffness over mass of a block of contact nodes: omega_c^2 of the springs (Gershgorin).
+/// Bound of the contact springs' squared frequency omega_c^2 in a block of contact nodes: the
+/// largest sum of stiffness over mass (Gershgorin).
 template <class Motion>
 struct ContactLimit {
     Index count;
     const std::int64_t* sum;
     const Index* nodes;
     const Motion* inverseMass; ///< of all nodes
-    const std::uint8_t* fixed; ///< likewise, see InteriorNodes
+    const std::uint8_t* fixed; ///< as in InteriorNodes
     ForceScale scale;
     double* blockLimit;
     const StepClock* clock;

@@ -8,42 +8,46 @@
 
 namespace fpm {
 
-/// What `face` of a contactor may say beyond a face number.
+/// Values of `face` of a contactor that are no face number.
 inline constexpr Index noFace = -1; ///< no target within reach
-/// Let go, counted: it went deeper than the target is thick, or left it sideways while inside.
+/// Released and counted: the contactor went deeper than the target is thick, or left it over an
+/// edge while inside.
 inline constexpr Index releasedFace = -2;
 
-/// What `neighbour` of a face's edge may say beyond 4 * face + edge: the surface ends here; it does
-/// not, but there is no face: the edge has no length.
+/// Values of `neighbour` of a face's edge that are no 4 * face + edge: a free edge, where the
+/// surface ends; an edge of zero length, across which there is no face.
 inline constexpr Index freeEdge = -1;
 inline constexpr Index noEdge = -2;
-/// On plane k of symmetry, where the surface goes on as its own mirror image. Its own inverse.
+/// Edge on symmetry plane k, where the surface continues as its mirror image. The function is its
+/// own inverse.
 FPM_KERNEL constexpr Index mirrorEdge(Index k)
 {
     return noEdge - 1 - k;
 }
 
-/// Counts of a pair: what happened to contactors that a user ought to know.
+/// Counters of a pass: events of contactors that a user should know.
 enum PassCount {
-    countReleased, ///< let go: deeper than the target is thick
-    countOverEdge, ///< left the target over a free edge while in touch
-    countInside,   ///< found by a search inside the target, their depth forgiven
-    countMistaken, ///< found by a search to have followed a face not the nearest, by 1 %
-    countCrowded,  ///< searches that found more bodies in reach of a contactor than it has slots
-    countLate,     ///< looks that found lists used for longer than they lasted
+    countReleased, ///< released: deeper than the target is thick
+    countOverEdge, ///< left the target over a free edge while in contact
+    countInside,   ///< found by a search inside the target, their initial depth forgiven
+    countMistaken, ///< found by a search to have tracked a face that is not the nearest, by 1 %
+    countCrowded,  ///< searches that found more bodies within reach of a contactor than it has
+                   ///< slots
+    countLate,     ///< list checks that found lists used beyond their validity
     passCounts
 };
 
-/// What is in reach of a contactor. Flat: faces that differ by a degree at most, the one above
-/// which it lies is the nearest. Curved: a neighbour may be nearer. Intricate: faces that turn by
-/// more than 60 degrees, or across a gap, so that hops might not find the nearest.
+/// Shape of the target within reach of a contactor. Flat: the faces differ by a degree at most, and
+/// the one over which the contactor lies is the nearest. Curved: a neighbour may be nearer.
+/// Intricate: faces at more than 60 degrees, or across a gap, so that stepping from face to face
+/// may miss the nearest.
 enum Around : std::uint8_t { aroundFlat, aroundCurved, aroundIntricate };
 
-/// Only asked which way it looks, the normal of a contactor's own faces is kept in two bytes a
-/// component.
+/// The normal of a contactor's own faces serves only to test whether faces oppose each other, so
+/// two bytes per component are enough.
 inline constexpr int ownNormalScale = 32767;
 
-/// Bodies (parts) that one contactor may touch at once.
+/// Largest number of bodies (parts) with which one node may be in contact at once.
 inline constexpr int maxSlots = 3;
 
 /// A float that is not less than `value`, which is not negative.
@@ -54,8 +58,9 @@ FPM_KERNEL float notLess(Work value)
     return Work(near) < value ? near * (1 + 0x1p-23f) : near;
 }
 
-/// One contact pair on the device: contactor nodes against quadrilateral target faces. Arrays over
-/// contactors and faces. Where a node may touch several bodies at once it is several contactors.
+/// One pass of a contact pair on the device: contactor nodes against quadrilateral target faces, in
+/// arrays over contactors and over faces. A node that may be in contact with several bodies at once
+/// has one contactor (slot) per body.
 template <class Numbers>
 struct ContactPassView {
     using Position = typename Numbers::Position;
@@ -63,46 +68,50 @@ struct ContactPassView {
     using Work = typename Numbers::Work;
 
     Index contactorCount, faceCount, targetCount;
-    Index nodeCount; ///< contactors without repetition: contactor i has the node of i % nodeCount
+    Index nodeCount;            ///< nodes of the pass: contactor i is at node i % nodeCount
     const Index* contactor;     ///< node
-    const Index* contactNumber; ///< of each node of the model among all contact nodes, or -1
+    const Index* contactNumber; ///< number among all contact nodes of each node of the model, -1:
+                                ///< none
     const Index*
         ownFaceStart; ///< faces of the contactor's own surface around it: CSR over [nodeCount]
     const Index* ownFaces;
     const Index* ownFaceNode;    ///< [4 * own face + corner], node
     const Index* faceNode;       ///< [4 * face + corner]
     const Index* nextAround;     ///< [4 * face + corner]: 4 * face + corner of the next face around
-                                 ///< the same node, ascending; after the last the first
-    const Index* neighbour;      ///< [4 * face + edge]: 4 * face + edge across edge i, that joins
-                                 ///< corners i and i + 1
+                                 ///< the same node, ascending and cyclic
+    const Index* neighbour;      ///< [4 * face + edge]: 4 * face + edge of the face across edge i,
+                                 ///< which joins corners i and i + 1
     const Work* mirrorNormal;    ///< [3 * k]: unit normals of the planes of symmetry
-    const std::uint8_t* mirrors; ///< planes a contactor lies on, a bit each; null: none
-    const Work* faceStiffness;   ///< k_n = s_n K A^2 / V, frozen at the start; 0: rigid
+    const std::uint8_t* mirrors; ///< symmetry planes on which a contactor lies, one bit each; null:
+                                 ///< none
+    const Work* faceStiffness;   ///< k_n = s_n K A^2 / V of the initial state; 0: rigid
     const float* faceThickness;  ///< V / A
     const Work* faceMass;        ///< of its lightest free corner, for contact damping
-    const Index* targetCorner;   ///< a corner of a face at each target node, as in nextAround: the
-                                 ///< first; only for `search closestParticle`
-    const Index* excludedStart;  ///< faces that are no partner of a node, ascending: CSR over
-                                 ///< [nodeCount]; null: none
+    const Index* targetCorner;   ///< [target node]: a corner of a face at it, as in nextAround;
+                                 ///< only for `search closestParticle`
+    const Index* excludedStart;  ///< faces excluded for a node, ascending: CSR over [nodeCount];
+                                 ///< null: none
     const Index* excluded;
     const Index* faceComponent;      ///< body of a face; null: one body
     const Index* contactorComponent; ///< body of a node, [nodeCount]
-    const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all may
+    const std::uint8_t* mayMeet;     ///< [contactor's body * components + face's]; null: all pairs
+                                     ///< of bodies
     Index components;
 
     std::int16_t* ownNormal; ///< unit mean normal of the contactor's own faces at the last search,
-                             ///< in parts of ownNormalScale
+                             ///< times ownNormalScale
     Index* face;
     Work *xi, *eta;
-    std::uint8_t* around;         ///< what the last search found around it, as Around
-    std::int64_t* force;          ///< on each block of contactors this step, see BlockForce
-    std::int64_t* contactorForce; ///< on each contactor, where elements may be deleted, or null
+    std::uint8_t* around;         ///< shape of the target at the last search, an Around
+    std::int64_t* force;          ///< on each block of contactors in this step, see BlockForce
+    std::int64_t* contactorForce; ///< on each contactor, where elements may be deleted; else null
     std::int64_t* counts;         ///< as PassCount
-    float* overlap;      ///< depth at which it was found, of which forgivenShare makes no force
+    float* overlap;               ///< initial depth, of which forgivenShare causes no force
     Work* heldStiffness; ///< k_n with which a contactor's spring closed; null: all faces have one
-    double* injected;    ///< work of overlaps that fade with time; null: they do not; second half:
-                         ///< gap at the last step, 0 where nothing is forgiven
-    double fadeTime;     ///< > 0: over which they do
+                         ///< k_n
+    double* injected;    ///< work of initial depths that fade in time; null: none fades. Second
+                         ///< half: gap at the last step, 0 where nothing is forgiven
+    double fadeTime;     ///< > 0: time over which initial depths fade
 
     const Position* position;
     const Motion* velocity;
@@ -110,8 +119,9 @@ struct ContactPassView {
     ContactSums sums;
     const StepClock* clock;
 
-    Work reach; ///< distance at which a face is tracked
-    bool cold;  ///< projected at each step from the middle of all faces around, not tracked
+    Work reach; ///< skin of the Verlet list, and gap up to which a face is tracked
+    bool cold;  ///< `projection cold`: each step projects from the face centre onto all faces
+                ///< around
     PassLaw<Work> law;
 
     FPM_KERNEL Vec3<Work> relative(Index node, Index origin) const
@@ -138,7 +148,8 @@ struct ContactPassView {
         return {mirrorNormal[3 * k], mirrorNormal[3 * k + 1], mirrorNormal[3 * k + 2]};
     }
     FPM_KERNEL Index mirrorsOf(Index i) const { return mirrors ? mirrors[i] : 0; }
-    /// visit(face) for the faces around a corner of one, ascending, until it says false.
+    /// Calls visit(face) for the faces around a corner of a face, ascending, until it returns
+    /// false.
     template <class Visit>
     FPM_KERNEL void visitAround(Index number, int corner, const Visit& visit) const
     {
@@ -153,14 +164,14 @@ struct ContactPassView {
     {
         return std::size_t(contactNumber[faceNode[4 * std::size_t(number) + std::size_t(corner)]]);
     }
-    /// Distance from a face at which a search finds it: within reach, or inside the target up to
-    /// half its thickness, also after half a reach of the face's own way.
+    /// Distance from a face within which a search has to find it: the reach, or half the thickness
+    /// for contactors inside the target, plus half a reach that the face itself may move.
     FPM_KERNEL Work margin(Index number) const
     {
         const Work deep = Work(0.5) * (Work(faceThickness[number]) + reach);
         return deep > reach ? deep : reach;
     }
-    /// What is left of depths that fade; all of those that are found later.
+    /// Share of initial depths still forgiven; depths found later than fadeTime are forgiven whole.
     FPM_KERNEL Work forgivenShare(double time) const
     {
         return time < fadeTime ? Work((fadeTime - time) / fadeTime) : Work(1);
@@ -169,7 +180,7 @@ struct ContactPassView {
     {
         return faceComponent ? faceComponent[number] : 0;
     }
-    /// False for faces of the contactor's own surroundings, and of bodies it has no business with.
+    /// False for faces excluded around the contactor and for bodies whose contact is not defined.
     FPM_KERNEL bool mayTouch(Index i, Index number) const
     {
         const Index base = i % nodeCount;

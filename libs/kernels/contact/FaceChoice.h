@@ -5,7 +5,7 @@
 
 namespace fpm {
 
-/// A face a contactor may be in touch with, and where.
+/// Face that a contactor may be in contact with, and its closest point.
 template <class Work>
 struct Candidate {
     Index face;
@@ -13,7 +13,7 @@ struct Candidate {
     Work gap;
 };
 
-/// All four values more than `margin` to one side of 0.
+/// True where all four values lie more than `margin` to one side of 0.
 template <class Work>
 FPM_KERNEL bool outsideRange(Work a, Work b, Work c, Work d, Work margin)
 {
@@ -21,8 +21,9 @@ FPM_KERNEL bool outsideRange(Work a, Work b, Work c, Work d, Work margin)
            || (a < -margin && b < -margin && c < -margin && d < -margin);
 }
 
-/// Tries one face as partner of contactor i: true where it may touch it, looks at it, is not left
-/// over a free edge, and lies within reach, or inside by no more than half its thickness.
+/// Tests one face as partner of contactor i: true where the pair is allowed, the normals oppose
+/// each other, the contactor is not beyond a free edge, and it lies within reach outside or no
+/// deeper than half the thickness inside.
 template <class Numbers>
 FPM_KERNEL bool isPartner(const ContactPassView<Numbers>& pass,
                           Index i,
@@ -49,24 +50,24 @@ FPM_KERNEL bool isPartner(const ContactPassView<Numbers>& pass,
     return true;
 }
 
-/// Nearer by true distance; equal distances: lower number.
+/// Compares true distances; of equal distances the lower face number is nearer.
 template <class Work>
 FPM_KERNEL bool isNearer(const Candidate<Work>& a, const Candidate<Work>& b)
 {
     return a.point.square < b.point.square || (a.point.square == b.point.square && a.face < b.face);
 }
 
-/// The nearest faces of up to `slots` bodies, one of each, nearest first.
+/// The nearest faces of up to `slots` bodies, one per body, nearest first.
 template <class Work>
 struct NearestFaces {
     Candidate<Work> best[maxSlots];
     Index component[maxSlots];
     int count = 0;
-    bool crowded = false; ///< there were more bodies than slots
+    bool crowded = false; ///< more bodies were found than there are slots
 
     FPM_KERNEL void add(const Candidate<Work>& face, Index body, int slots)
     {
-        // `count` is never more; said once more for compilers that warn.
+        // `count` never exceeds maxSlots; the bound is repeated for compilers that warn.
         const int held = count < maxSlots ? count : maxSlots;
         int at = 0;
         while (at < held && component[at] != body) ++at;

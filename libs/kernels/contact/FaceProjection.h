@@ -4,7 +4,7 @@
 
 namespace fpm {
 
-/// A target face seen from a contactor: corner positions minus the contactor's position.
+/// Target face relative to a contactor: corner positions minus the contactor's position.
 template <class T>
 struct FaceCorners {
     Vec3<T> corner[4];
@@ -15,7 +15,7 @@ struct Projection {
     T xi, eta;
     Vec3<T> normal; ///< outward unit normal at (xi, eta)
     Vec3<T> offset; ///< contactor minus point on the face
-    T gap;          ///< offset . normal, negative when penetrating
+    T gap;          ///< normal gap, offset . normal: negative when penetrating
 };
 
 template <class T>
@@ -42,10 +42,10 @@ evaluateFace(const FaceCorners<T>& face, T xi, T eta, Vec3<T>& offset, Vec3<T>& 
     t2 = (q * (1 - xi)) * (x[3] - x[0]) + (q * (1 + xi)) * (x[2] - x[1]);
 }
 
-/// One Newton step towards r . t1 = r . t2 = 0 (method of closest-point projection onto a bilinear
-/// quadrilateral; curvature terms dropped where they make the matrix indefinite), at most 1 in each
-/// natural coordinate. `size`: that of the step. Returns where one could be made: not where the
-/// face is degenerate. All lanes of T go together, here and below.
+/// One Newton step of the closest-point projection onto a bilinear quadrilateral, r . t1 = r . t2 =
+/// 0 (curvature terms are dropped where they make the matrix indefinite), at most 1 in each natural
+/// coordinate. `size`: length of the step. Returns the lanes where a step exists: those whose face
+/// is not degenerate. All lanes of T are computed together, here and below.
 template <class T>
 FPM_KERNEL MaskOf<T> projectionStep(const FaceCorners<T>& face, T& xi, T& eta, T& size)
 {
@@ -70,12 +70,12 @@ FPM_KERNEL MaskOf<T> projectionStep(const FaceCorners<T>& face, T& xi, T& eta, T
     return regular;
 }
 
-/// Projection from a start value in the lanes of `wanted`; (xi, eta) may end outside [-1, 1].
-/// Returns where it converged.
+/// Closest-point projection from a start value in the lanes of `wanted`; (xi, eta) may end outside
+/// [-1, 1]. Returns the lanes that converged.
 template <class T>
 FPM_KERNEL MaskOf<T> projectWhere(MaskOf<T> wanted, const FaceCorners<T>& face, T& xi, T& eta)
 {
-    // The step after this one would be of the order of its square: rounding.
+    // The next step would have the order of the square of this one: rounding.
     const T enough = T(sizeof(ScalarOf<T>) == 8 ? 1e-7 : 1e-4);
     MaskOf<T> found = wanted & !wanted, going = wanted;
     for (int iteration = 0; iteration < 10 && NumberTraits<T>::any(going); ++iteration) {
@@ -95,27 +95,28 @@ FPM_KERNEL bool project(const FaceCorners<Work>& face, Work& xi, Work& eta)
     return projectWhere(true, face, xi, eta);
 }
 
-/// How near to the border of a face a point is on it: wider than rounding, no wider, or a contactor
-/// would be held to a face when the next one is nearer.
+/// Width of the border of a face in natural coordinates: wider than rounding, but no wider, or a
+/// contactor would be kept on a face although the next one is nearer.
 template <class T>
 FPM_KERNEL T borderWidth()
 {
     return T(sizeof(ScalarOf<T>) == 8 ? 1e-12 : 1e-5);
 }
-/// Square of a distance over that of a face's diagonal, below which its direction is rounding.
+/// Square of the ratio of a distance to a face's diagonal below which the direction of the distance
+/// is rounding.
 template <class T>
 FPM_KERNEL T negligibleSquare()
 {
     return T(sizeof(ScalarOf<T>) == 8 ? 1e-20 : 1e-8);
 }
-/// On the border or beyond it: on it.
+/// Natural coordinate clamped to the face; values within the border width of it are placed on it.
 template <class T>
 FPM_KERNEL T clampedUnit(T value)
 {
     const T one = T(1), inner = one - borderWidth<T>();
     return select(value > inner, one, select(value < -inner, -one, value));
 }
-/// Inside the face, its borders included.
+/// Condition of eq. (14) of the paper: the projection point lies inside the face, borders included.
 template <class T>
 FPM_KERNEL MaskOf<T> isInside(T xi, T eta)
 {
@@ -123,8 +124,8 @@ FPM_KERNEL MaskOf<T> isInside(T xi, T eta)
     return (magnitude(xi) < border) & (magnitude(eta) < border);
 }
 
-/// Unit normal from the tangents at a point; that of the diagonals where the tangents are parallel,
-/// as on the collapsed side of a wedge.
+/// Unit normal from the tangents at a point; from the diagonals where the tangents are parallel, as
+/// on the collapsed side of a wedge.
 template <class T>
 FPM_KERNEL Vec3<T> faceNormal(const FaceCorners<T>& face, const Vec3<T>& t1, const Vec3<T>& t2)
 {
@@ -140,7 +141,8 @@ FPM_KERNEL Vec3<T> faceNormal(const FaceCorners<T>& face, const Vec3<T>& t1, con
     return scale * n;
 }
 
-/// Gap and normal at (xi, eta).
+/// Normal gap at (xi, eta), eq. (15) of the paper, with the gap vector from the projection point
+/// instead of the closest particle, and the normal there.
 template <class T>
 FPM_KERNEL Projection<T> gapAt(const FaceCorners<T>& face, T xi, T eta)
 {
@@ -154,9 +156,9 @@ FPM_KERNEL Projection<T> gapAt(const FaceCorners<T>& face, T xi, T eta)
     return out;
 }
 
-/// The same at the closest point of the face. On the border, which faces have in common, the normal
-/// is the line to the contactor, the same for all of them: so a contactor on a plane of symmetry,
-/// as near to the faces on both sides of it, is pushed along that plane.
+/// Gap at the closest point of the face. On a border, which several faces share, the normal is the
+/// direction to the contactor and hence the same for all of them: a contactor on a symmetry plane,
+/// equally near to the faces on both sides, is pushed along that plane.
 template <class T>
 FPM_KERNEL Projection<T> gapAtClosest(const FaceCorners<T>& face, T xi, T eta)
 {

@@ -6,12 +6,12 @@
 
 namespace fpm {
 
-/// Contact forces are added up as 64-bit integers: the sum does not depend on the order of the
-/// contributions, so it is the same on any number of threads and on the GPU, and the force on a
-/// contactor is exactly minus the sum of its shares on the target.
+/// Contact forces are summed as 64-bit integers in fixed point: the sum does not depend on the
+/// order of the contributions, hence is the same for any number of threads and on the GPU, and the
+/// force on a contactor is exactly minus the sum of the forces on the target.
 struct ForceScale {
     double toFixed = 1, fromFixed = 1;   ///< powers of two
-    double toSpring = 1, fromSpring = 1; ///< for the stiffness sum, fourth value
+    double toSpring = 1, fromSpring = 1; ///< for the sum of stiffness, the fourth value
 
     FPM_KERNEL double toForce(std::int64_t value) const { return double(value) * fromFixed; }
     FPM_KERNEL double toStiffness(std::int64_t value) const { return double(value) * fromSpring; }
@@ -19,13 +19,13 @@ struct ForceScale {
     FPM_KERNEL std::int64_t spring(double value) const { return std::int64_t(value * toSpring); }
 };
 
-/// Forces on the contactors of one block, as their sum: some partial sums, so that threads that
-/// work on the block together seldom meet.
+/// Sum of the forces on the contactors of one block, in several partial sums, so that threads of
+/// one block rarely add to the same one.
 struct BlockForce {
     static constexpr Index parts = 8, values = 3 * parts;
     std::int64_t* sums; ///< [parts][3], fixed point
-    std::int64_t* each; ///< [contactor][3], of all blocks; null: not asked for
-    bool alone;         ///< one thread works on the block
+    std::int64_t* each; ///< [contactor][3], of all blocks; null: not required
+    bool alone;         ///< one thread works on the block: no atomic operations needed
 
     FPM_KERNEL void add(Index i, const std::int64_t (&force)[3]) const
     {
@@ -35,12 +35,13 @@ struct BlockForce {
     }
 };
 
-/// What the pairs add to: force and stiffness of each contact node.
+/// Accumulated force and stiffness of each contact node.
 struct ContactSums {
     std::int64_t* values; ///< [contact node][4]: force and stiffness, fixed point
     ForceScale scale;
-    bool alone;                 ///< no two threads add to one node
-    const std::uint8_t* shared; ///< blocks of contact nodes where two threads may; null: everywhere
+    bool alone;                 ///< no two threads add to one node: no atomic operations needed
+    const std::uint8_t* shared; ///< blocks of contact nodes to which two threads may add; null: all
+                                ///< of them
 
     FPM_KERNEL void addForce(Index number, const std::int64_t (&force)[3]) const
     {

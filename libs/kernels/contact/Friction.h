@@ -5,13 +5,13 @@
 
 namespace fpm {
 
-/// Coulomb friction with elastic slip: mu = mu_d + (mu_s - mu_d) exp(-decay |slip speed|).
+/// Coulomb friction with elastic slip: mu = mu_d + (mu_s - mu_d) exp(-decay |slip rate|).
 template <class Work>
 struct FrictionLaw {
     Work staticCoefficient, dynamicCoefficient;
     double decay;        ///< [time/length]
     Work stiffnessRatio; ///< k_t / k_n
-    bool paper;          ///< eqs. 17-18 as printed: a vector in space that does not turn
+    bool paper;          ///< eqs. (17) and (18) as printed: the traction is a vector in fixed axes
 
     FPM_KERNEL bool acts() const { return staticCoefficient > 0; }
     FPM_KERNEL Work coefficient(Work slip, double step) const
@@ -23,8 +23,9 @@ struct FrictionLaw {
     }
 };
 
-/// The tangential force after a slip (eqs. 17-18): the stored force minus k_t times the slip,
-/// capped at mu times the normal force. What the spring does not take is added to `dissipated`.
+/// Return mapping of friction, eqs. (17) and (18) of the paper: the trial traction is the stored
+/// one minus k_t times the slip increment (stick); beyond mu times the normal force it is scaled
+/// back to that bound (slip). The work of the plastic slip is added to `dissipated`.
 template <class Work>
 FPM_KERNEL Vec3<Work> frictionForce(const FrictionLaw<Work>& law,
                                     const Vec3<Work>& stored,
@@ -39,8 +40,8 @@ FPM_KERNEL Vec3<Work> frictionForce(const FrictionLaw<Work>& law,
     const Work size = squareRoot(dot(trial, trial));
     if (!(size > most)) return trial;
     const Vec3<Work> capped = (most / size) * trial;
-    // Mean force over the step times the slip the spring does not take: with it the nodes' work,
-    // trapezoidal as theirs, is stored plus dissipated.
+    // Mean force of the step times the plastic slip: then the work on the nodes, trapezoidal too,
+    // equals stored plus dissipated energy.
     dissipated += double(Work(0.5) * dot(stored + capped, trial - capped) / tangentialStiffness);
     return capped;
 }
@@ -51,13 +52,13 @@ FPM_KERNEL Vec3<Work> inPlane(const Vec3<Work>& v, const Vec3<Work>& normal)
     return v - dot(v, normal) * normal;
 }
 
-/// A vector of the plane with normal `from`, taken into that with normal `to` by the smallest
+/// Vector of the plane with normal `from`, rotated into the plane with normal `to` by the smallest
 /// rotation; its length is kept.
 template <class Work>
 FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, const Vec3<Work>& to)
 {
     const Work onePlusCosine = Work(1) + dot(from, to);
-    if (!(onePlusCosine > Work(1e-3))) return v; // folded over: no smallest rotation
+    if (!(onePlusCosine > Work(1e-3))) return v; // opposite normals: no smallest rotation exists
     return v - (dot(to, v) / onePlusCosine) * (from + to);
 }
 
@@ -68,7 +69,7 @@ FPM_KERNEL Vec3<Work> unit(const Vec3<Work>& v)
     return length > 0 ? (Work(1) / length) * v : v;
 }
 
-/// Orthonormal frame of a face, convected with it: e1 along the xi tangent of its middle.
+/// Orthonormal frame convected with a face: e1 along the xi tangent at its centre.
 template <class Work>
 struct FaceFrame {
     Vec3<Work> e1, e2, normal;
@@ -86,15 +87,16 @@ struct FaceFrame {
         const Vec3<Work> mine = turnedPlane(v, n, normal);
         return {dot(mine, e1), dot(mine, e2), Work(0)};
     }
-    /// The vector of the plane with normal n that has these components.
+    /// Vector of the plane with normal n that has these components.
     FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
     {
         return turnedPlane(components.x * e1 + components.y * e2, normal, n);
     }
 };
 
-/// Way of the foot over the material of a face, from (xiOld, etaOld) to (xi, eta) on the face as it
-/// lies now: exact for a bilinear face, and zero whatever rigid motion the bodies share.
+/// Displacement of the projection point over the material of a face, from (xiOld, etaOld) to (xi,
+/// eta) on the face in its current position: exact for a bilinear face, and zero for any rigid
+/// motion of both bodies.
 template <class Work>
 FPM_KERNEL Vec3<Work>
 slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
@@ -105,18 +107,18 @@ slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work
     return (xi - xiOld) * t1 + (eta - etaOld) * t2;
 }
 
-/// Forces on the corners of a face that add up to nothing and have the moment of a couple: the work
-/// of the couple on the spin of the face. With them friction, which acts at the contactor and with
-/// -N_I F on the corners, has no moment, and its work is F times the objective slip
-/// (delta x_c - delta x_foot + g delta n) . F (method of Curnier, He and Klarbring 1995; Poulios
-/// and Renard 2015), whatever the five nodes do: a rigid motion that they share does none.
+/// Corner forces without resultant that have the moment of a couple, conjugate to the spin of the
+/// face. Friction acts with F at the contactor and -N_I F at the corners; with the couple its total
+/// moment is zero, and its work is F times the objective slip increment (delta x_c - delta x_p + g
+/// delta n) . F (Curnier, He and Klarbring 1995; Poulios and Renard 2015) for any motion of the
+/// five nodes: a common rigid motion does no work.
 template <class Work>
 struct CornerCouple {
     Work xi = 0, eta = 0; ///< where the shape functions are differentiated
     Vec3<Work> alongXi{0, 0, 0}, alongEta{0, 0, 0};
 
     CornerCouple() = default;
-    /// Of a force on the contactor, -F on the face at (atXi, atEta).
+    /// Couple of a force F on the contactor with -F on the face at (atXi, atEta).
     FPM_KERNEL
     CornerCouple(const FaceCorners<Work>& face, Work atXi, Work atEta, const Vec3<Work>& force)
         : xi(atXi),
@@ -136,7 +138,8 @@ struct CornerCouple {
         if (!(square > 0)) return;
         Vec3<Work> across = force;
         const bool onXi = xi * xi >= Work(1), onEta = eta * eta >= Work(1);
-        if (onXi != onEta) { // along an edge its two corners balance it, whichever face it is of
+        if (onXi != onEta) { // on an edge its two corners balance it, whichever of the two faces is
+                             // meant
             const Vec3<Work> edge = onXi ? t2 : t1;
             const Work part = dot(force, edge) / dot(edge, edge);
             (onXi ? alongEta : alongXi) = part * lever;

@@ -6,63 +6,69 @@
 
 namespace fpm {
 
-// When contactors have to search again. What a search found is valid while no contactor and no face
-// can have come closer by more than the reach: by the largest way of the one plus that of the other
-// since the search and in the coming steps (method of Verlet). Judged for every block of contactor
-// nodes, with those target nodes that were near it when the pass was searched as a whole: what is
-// far from an impact does not search for its sake. ReferenceDisplacement, BlockListCheck,
-// PassListCheck, ListCheckResult and StoreReferencePositions make one look; it asks the host for
-// nothing but a search of a whole pass.
+// List check: decides when the Verlet lists of faces per contactor have to be rebuilt. A list stays
+// valid while the largest displacement of the contactors plus that of the faces, since the list was
+// built and over the steps until the next check, does not exceed the skin (`reach`), as then no
+// pair outside the list can have come into contact (Verlet 1967). Each block of contactor nodes is
+// checked against the target nodes that were near it when the lists of the whole pass were built:
+// contactors far from an impact need no rebuild because of it. One check consists of
+// ReferenceDisplacement, BlockListCheck, PassListCheck, ListCheckResult and
+// StoreReferencePositions, all on the device; the host is needed only to rebuild all lists of a
+// pass.
 
-/// A block of contactors of a pass.
+/// List state of a block of contactors of a pass.
 struct BlockListState {
-    double displacementBefore; ///< of both sides, from its last search to the reference positions
-    double displacementSince;  ///< since those
-    double leastBefore, leastSince; ///< likewise, but for rounding: only this makes a list late
-    Index due;                      ///< 1: it searches now
-    Index steps;                    ///< for which its list lasts from now on
+    double displacementBefore; ///< of both sides, from the block's last search to the reference
+                               ///< positions
+    double displacementSince;  ///< since the reference positions
+    double leastBefore, leastSince; ///< lower bounds of the two without rounding: only these count
+                                    ///< a list as late
+    Index due;                      ///< 1: its lists are rebuilt now
+    Index steps;                    ///< steps for which its lists stay valid
 };
 
-/// A pass as a whole.
+/// List state of a whole pass.
 struct PassListState {
-    double displacementBefore;      ///< since it was arranged
-    double displacementSince;       ///< since the remembered positions
-    double leastBefore, leastSince; ///< as BlockListState
-    std::int64_t due;               ///< blocks that search now
-    std::int64_t searches;          ///< so far
-    Index whole; ///< 1: all of it has to search, by the host, and to be arranged anew
-    Index fresh; ///< 1: arranged at these very positions
-    Index steps; ///< for which its lists last from now on
+    double displacementBefore;      ///< since its lists were built
+    double displacementSince;       ///< since the reference positions
+    double leastBefore, leastSince; ///< as in BlockListState
+    std::int64_t due;               ///< number of blocks whose lists are rebuilt now
+    std::int64_t searches;          ///< number of rebuilds so far
+    Index rebuild;                  ///< 1: the host has to rebuild all lists of the pass
+    Index rebuilt;                  ///< 1: all lists were built at the present positions
+    Index steps;                    ///< steps for which its lists stay valid
 };
 
-/// One pass as the look sees it.
+/// List check of one pass.
 struct ListCheck {
-    /// Ways of both sides together, in reaches, until a pass is arranged again.
+    /// Displacement of both sides, in skins, after which all lists of a pass are rebuilt.
     static constexpr double rebuildDistance = 8;
-    /// Half as fast again leaves room for acceleration until the next look.
+    /// Safety factor on the speed, for acceleration until the next check.
     static constexpr double speedFactor = 1.5;
 
     double reach;
     Index blockCount;
-    const Index *ownStart, *own;   ///< blocks of contact nodes of each block: its own,
-    const Index *nearStart, *near; ///< those of the target near it: CSR
+    const Index *ownStart, *own;   ///< blocks of contact nodes of each block: of its own
+                                   ///< contactors,
+    const Index *nearStart, *near; ///< and of the target nodes near it: CSR
     Index ownCount, targetCount;   ///< of the whole pass
     const Index *allOwn, *allTarget;
-    const double* displacements; ///< see ReferenceDisplacement
+    const double* displacements; ///< as of ReferenceDisplacement
     BlockListState* blocks;
     PassListState* pass;
-    Index* list; ///< numbers of the blocks that search now
+    Index* list; ///< numbers of the blocks whose lists are rebuilt now
     std::int64_t* late;
     double growth;       ///< largest ratio of successive steps
-    double fixedStep;    ///< > 0: they have this size, but for one that meets a time
-    Index checkInterval; ///< steps until the next look
+    double fixedStep;    ///< > 0: all steps have this size, except one that ends at a given time
+    Index checkInterval; ///< steps until the next check
     StepClock* clock;
 
     FPM_KERNEL double timePerStep() const
     {
         return speedFactor * (fixedStep > 0 ? fixedStep : growth * clock->step);
     }
-    /// Square of the largest way (0), speed (1) or rounding (2) in blocks of contact nodes.
+    /// Square of the largest displacement (0), speed (1) or rounding (2) in blocks of contact
+    /// nodes.
     FPM_KERNEL double
     largest(const Index* numbers, Index begin, Index end, Index stride, int which) const
     {
@@ -74,12 +80,13 @@ struct ListCheck {
         }
         return square;
     }
-    /// The least distance that a rounded one can stand for: both its ends were rounded.
+    /// Lower bound of a displacement whose two ends were rounded.
     FPM_KERNEL static double withoutRounding(double displacement, double rounding)
     {
         return displacement > 2 * rounding ? displacement - 2 * rounding : 0;
     }
-    /// How many steps of a way of `each` fit into what is left; horizon at most.
+    /// Number of steps, at most checkInterval, in which a displacement of `each` per step does not
+    /// exceed `left`.
     FPM_KERNEL Index stepsWithin(double left, double each) const
     {
         if (each * checkInterval <= left) return checkInterval;
@@ -88,7 +95,8 @@ struct ListCheck {
     }
 };
 
-/// What the last look decided is entered, then each block judged. One index = one block.
+/// Enters the decision of the last check, then checks the lists of one block. One index = one
+/// block.
 struct BlockListCheck {
     ListCheck check;
 
@@ -96,7 +104,8 @@ struct BlockListCheck {
     {
         const ListCheck& p = check;
         BlockListState& block = p.blocks[number];
-        if (p.nearStart[number] == p.nearStart[number + 1]) { // until the pass is arranged anew
+        if (p.nearStart[number] == p.nearStart[number + 1]) { // no target near: valid until the
+                                                              // pass is rebuilt
             block = {0, 0, 0, 0, 0, p.checkInterval};
             return;
         }
@@ -110,15 +119,15 @@ struct BlockListCheck {
             ListCheck::withoutRounding(block.displacementSince, ownPlusTarget(number, 2));
         const double each = ownPlusTarget(number, 1) * p.timePerStep(),
                      displacement = block.displacementBefore + block.displacementSince;
-        if (block.leastBefore + block.leastSince > p.reach && !p.pass->fresh)
+        if (block.leastBefore + block.leastSince > p.reach && !p.pass->rebuilt)
             atomicAdd64(p.late, 1);
         block.steps = p.stepsWithin(p.reach - displacement, each);
-        block.due = block.steps < p.checkInterval && !p.pass->fresh;
+        block.due = block.steps < p.checkInterval && !p.pass->rebuilt;
         if (block.due) block.steps = p.stepsWithin(p.reach, each);
     }
 
 private:
-    /// Largest of its own contact nodes plus largest of the target's near it.
+    /// Largest value of the block's own contact nodes plus largest of the target nodes near it.
     FPM_KERNEL double ownPlusTarget(Index number, int which) const
     {
         const Index *own = check.ownStart + number, *near = check.nearStart + number;
@@ -127,7 +136,7 @@ private:
     }
 };
 
-/// Judges the pass as a whole and lists the blocks that search. One team.
+/// Checks the lists of a whole pass and collects the blocks whose lists are rebuilt. One team.
 struct PassListCheck {
     ListCheck check;
 
@@ -171,15 +180,15 @@ struct PassListCheck {
         team.barrier();
         team.forEach(p.blockCount, [=](Index b) {
             if (!p.blocks[b].due) return;
-            if (pass->whole)
-                p.blocks[b].due = 0; // the host searches it with all others
+            if (pass->rebuild)
+                p.blocks[b].due = 0; // the host rebuilds it with all others
             else
                 p.list[atomicAdd64(&pass->due, 1)] = b;
         });
     }
 
 private:
-    /// Into a lane, those that lie `stride` apart after it.
+    /// Reduces into a lane the values of the lanes that lie `stride` apart after it.
     FPM_KERNEL static void gather(double* most, Index* least, Index lane, Index stride, Index end)
     {
         for (Index from = lane + stride; from < end; from += stride) {
@@ -188,12 +197,12 @@ private:
                 if (most[k + from] > most[k + lane]) most[k + lane] = most[k + from];
         }
     }
-    /// Largest of the own nodes plus largest of the target's.
+    /// Largest value of the pass's own nodes plus largest of its target nodes.
     FPM_KERNEL static double ownPlusTarget(const double* most, int which)
     {
         return ::sqrt(most[which * lanes]) + ::sqrt(most[(displacementValues + which) * lanes]);
     }
-    /// `most`, `steps`: of all lanes.
+    /// `most`, `steps`: reduced over all lanes.
     FPM_KERNEL static void decide(const ListCheck& p, const double* most, Index steps)
     {
         PassListState& pass = *p.pass;
@@ -205,39 +214,39 @@ private:
         pass.leastSince =
             ListCheck::withoutRounding(pass.displacementSince, ownPlusTarget(most, 2));
         if (pass.leastBefore + pass.leastSince > ListCheck::rebuildDistance * p.reach
-            && !pass.fresh)
+            && !pass.rebuilt)
             atomicAdd64(p.late, 1);
         const double each = ownPlusTarget(most, 1) * p.timePerStep(),
                      left = (ListCheck::rebuildDistance - 1) * p.reach - pass.displacementBefore
                             - pass.displacementSince;
-        // What is near has to be known until the next look alone.
+        // The neighbourhood of blocks has to stay complete only until the next check.
         const Index known = p.stepsWithin(left, each), next = steps > 1 ? steps : 1;
-        pass.whole = known < next && !pass.fresh;
-        if (pass.fresh && known < steps) steps = known;
+        pass.rebuild = known < next && !pass.rebuilt;
+        if (pass.rebuilt && known < steps) steps = known;
         pass.steps = steps;
     }
 };
 
-/// What the look found, for the clock: how many steps may follow, at least one. One index.
+/// Result of the check for the clock: how many steps may follow, at least one. One index.
 struct ListCheckResult {
     PassListState* passes;
-    Index count; ///< one at least
+    Index count; ///< at least one
     StepClock* clock;
 
     FPM_KERNEL void operator()(Index) const
     {
-        Index steps = passes[0].steps, searched = 0, whole = 0;
+        Index steps = passes[0].steps, searched = 0, rebuild = 0;
         for (Index k = 0; k < count; ++k) {
             PassListState& pass = passes[k];
             steps = pass.steps < steps ? pass.steps : steps;
-            whole = whole || pass.whole;
-            searched = searched || pass.whole || pass.due > 0;
+            rebuild = rebuild || pass.rebuild;
+            searched = searched || pass.rebuild || pass.due > 0;
             pass.searches += pass.due > 0;
         }
-        for (Index k = 0; k < count && !whole; ++k) passes[k].fresh = 0; // a step follows
+        for (Index k = 0; k < count && !rebuild; ++k) passes[k].rebuilt = 0; // a step follows
         clock->searched = searched;
-        clock->waits = whole;
-        clock->listsValidUntil = clock->steps + (whole ? 0 : steps > 1 ? steps : 1);
+        clock->waits = rebuild;
+        clock->listsValidUntil = clock->steps + (rebuild ? 0 : steps > 1 ? steps : 1);
         clock->running = clock->mayStep();
     }
 };

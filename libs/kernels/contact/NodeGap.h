@@ -7,11 +7,11 @@
 
 namespace fpm {
 
-/// Gap of contactors that have no target within reach.
+/// Gap of contactors without a target within reach.
 inline constexpr double noGap = std::numeric_limits<double>::quiet_NaN();
 
-/// Gap of each contactor to the face it is tracked on, negative inside; noGap beyond the reach. It
-/// only reads what the force pass left.
+/// Gap of each contactor to the face it is tracked on, negative inside; noGap beyond the reach.
+/// Reads the results of ContactForce only.
 template <class Numbers>
 struct FaceGap {
     using Work = typename Numbers::Work;
@@ -29,7 +29,7 @@ struct FaceGap {
     }
 };
 
-/// The same against an analytic surface.
+/// Gap of each contactor to an analytic surface.
 template <class Numbers>
 struct SurfaceGap {
     SurfaceForce<Numbers> surface;

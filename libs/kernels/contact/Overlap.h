@@ -4,7 +4,7 @@
 
 namespace fpm {
 
-/// Depth of each contactor inside its face, 0 outside: what it overlaps before the run.
+/// Depth of each contactor inside its face, 0 outside: the initial overlap before the run.
 template <class Numbers>
 struct MeasureOverlap {
     ContactPassView<Numbers> pass;
@@ -21,9 +21,9 @@ struct MeasureOverlap {
     }
 };
 
-/// The gap without the depth at which the contactor was found. That shrinks as the contactor comes
-/// out, and to nothing over `fadeTime` where there is one; then what it puts into the spring and
-/// into the motion, trapezoidal as the nodes' work, is booked.
+/// Gap less the forgiven initial depth. That depth shrinks as the contactor moves out, and to
+/// nothing over `fadeTime` where that is set; then the work it does on the spring and on the
+/// motion, trapezoidal like the work on the nodes, is accounted for.
 template <class Numbers>
 FPM_KERNEL typename Numbers::Work relievedGap(const ContactPassView<Numbers>& pass,
                                               Index i,
@@ -34,7 +34,7 @@ FPM_KERNEL typename Numbers::Work relievedGap(const ContactPassView<Numbers>& pa
     if (!(pass.overlap[i] > 0)) return gap;
     const Work whole = Work(pass.overlap[i]), depth = gap < 0 ? -gap : Work(0);
     const double before = pass.clock->time - pass.clock->step;
-    const bool fades = pass.injected && before < pass.fadeTime; // not where it is found later
+    const bool fades = pass.injected && before < pass.fadeTime; // depths found later do not fade
     const Work share =
         fades && pass.clock->time >= pass.fadeTime ? Work(0) : pass.forgivenShare(pass.clock->time);
     if (!(share > 0))
@@ -47,7 +47,7 @@ FPM_KERNEL typename Numbers::Work relievedGap(const ContactPassView<Numbers>& pa
     const double forgiven = double(pass.forgivenShare(before) * whole);
     if (!(pass.clock->step > 0))
         last = double(gap);
-    else if (last == 0) // found since the last step: all of its depth was forgiven then
+    else if (last == 0) // found since the last step: its whole depth was forgiven then
         last = -forgiven;
     const double was = last + forgiven < 0 ? last + forgiven : 0,
                  is = relieved < 0 ? double(relieved) : 0, gapChange = double(gap) - last;

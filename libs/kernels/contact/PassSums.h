@@ -5,10 +5,11 @@
 
 namespace fpm {
 
-/// What a pass holds and has lost, over its contactors. Order of the sums in PassSums::blockSum.
+/// Energies stored and dissipated by a pass, and its resultant. Order of the sums in
+/// PassSums::blockSum.
 enum PassSum {
     sumSpring,
-    sumTouching, ///< contactors in touch
+    sumTouching, ///< contactors in contact
     sumDissipated,
     sumDamped,
     sumSurfaceWork,
@@ -17,12 +18,12 @@ enum PassSum {
     passSums = sumForce + 3
 };
 
-/// Adds up what is kept a contactor; one block = contactBlock of them, as BlockForce.
+/// Sums the values kept per contactor; one block = contactBlock of them, as BlockForce.
 struct PassSums {
     Index count;
     const double *spring, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
-    const double* surfaceForce;     ///< of an analytic surface, three planes; null:
-    const std::int64_t* blockForce; ///< of faces, see BlockForce
+    const double* surfaceForce;     ///< of an analytic surface, three planes; null: of faces
+    const std::int64_t* blockForce; ///< of faces, see BlockForce; null: of an analytic surface
     ForceScale scale;
     double* blockSum; ///< [block][passSums]
 

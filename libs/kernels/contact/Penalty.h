@@ -5,27 +5,31 @@
 
 namespace fpm {
 
-/// Springs, friction and damping of a pair, the same against faces and against analytic surfaces.
+/// Penalty springs, friction and damping of a pass, the same against faces and analytic surfaces.
 /// Arrays over contactors; vectors in planes `count` apart.
 template <class Work>
 struct PassLaw {
     Index count;
     std::int32_t rule;              ///< number in PenaltyRules
-    const Work* contactorStiffness; ///< k_n the contactor's own side gives; null: not asked for
+    const Work* contactorStiffness; ///< k_n of the contactor's own side; null: not used
     const std::uint8_t*
-        mirrors; ///< planes of symmetry it lies on, a bit each, each halves it; null: none
+        mirrors; ///< symmetry planes on which it lies, one bit each; each halves k_n; null: none
     FrictionLaw<Work> friction;
-    Work* stored;              ///< tangential force: two components in a face's frame, or a vector
-    Index* storedFace;         ///< whose frame that is; null where `stored` is a vector in space
+    Work* stored;              ///< tangential traction (force): two components in a face's frame,
+                               ///< or a vector
+    Index* storedFace;         ///< face of that frame; null where `stored` is a vector in fixed
+                               ///< axes
     double* spring;            ///< recoverable energy of normal and tangential spring
     double* dissipated;        ///< by friction, running sum
-    Work dampingRatio;         ///< zeta; 0: none, and the arrays below are empty
-    const Work* contactorMass; ///< m_c; 0: nothing can move the contactor
-    double* dampingForce;      ///< at the last step
+    Work dampingRatio;         ///< zeta; 0: no damping, and the arrays below are empty
+    const Work* contactorMass; ///< m_c; 0: the contactor cannot move
+    double* dampingForce;      ///< of the last step
     double* damped;            ///< by contact damping, running sum
-    Work limitFactor; ///< of the spring's share in the step bound: (sqrt(1 + zeta^2) + zeta)^2
+    Work limitFactor; ///< factor of the spring's share in the stability bound: (sqrt(1 + zeta^2) +
+                      ///< zeta)^2
 
-    /// k_n between contactor i and a face. A rigid side has stiffness 0: the other's counts.
+    /// Penalty stiffness k_n between contactor i and a face. A rigid side has stiffness 0; then the
+    /// other side's counts.
     FPM_KERNEL Work stiffness(Index i, Work face) const
     {
         Work stiffness = wholeStiffness(i, face);
@@ -40,7 +44,7 @@ struct PassLaw {
         if (!(face > 0)) return own;
         return own > 0 ? springStiffness(rule, own, face) : face;
     }
-    /// m*: the lesser mass of contactor and face, of those that can be moved.
+    /// m*: the lesser mass of contactor and face, of the sides that can move.
     FPM_KERNEL Work lesserMass(Index i, Work face) const
     {
         const Work own = contactorMass[i];
@@ -48,8 +52,8 @@ struct PassLaw {
     }
     FPM_KERNEL bool damps() const { return dampingRatio > 0; }
 
-    /// Normal force k |g| plus damping -2 zeta sqrt(k m*) dg/dt, never tensile. `gapChange`: change
-    /// of the gap in this step, which took `step`.
+    /// Normal force k_n |g|, eq. (16) of the paper, plus damping -2 zeta sqrt(k_n m*) dg/dt, never
+    /// tensile. `gapChange`: Delta g_N in this step of length `step`.
     FPM_KERNEL Work
     normalForce(Index i, Work stiffness, Work gap, Work mass, Work gapChange, double step) const
     {
@@ -61,7 +65,7 @@ struct PassLaw {
         bookDamping(i, double(force), gapChange);
         return elastic + force;
     }
-    /// Mean damping force of the step times its way.
+    /// Accounts for the mean damping force of the step times the change of gap.
     FPM_KERNEL void bookDamping(Index i, double force, Work gapChange) const
     {
         damped[i] -= 0.5 * (dampingForce[i] + force) * double(gapChange);
@@ -78,7 +82,7 @@ struct PassLaw {
         stored[count + i] = force.y;
         if (!storedFace) stored[2 * count + i] = force.z;
     }
-    /// Friction with elastic slip from the stored force on; stores the new one.
+    /// Return mapping of friction from the traction `from`; stores the new traction.
     FPM_KERNEL Vec3<Work> slide(Index i,
                                 const Vec3<Work>& from,
                                 const Vec3<Work>& slip,
@@ -99,12 +103,13 @@ struct PassLaw {
             sum += dot(tangential, tangential) / (Work(2) * friction.stiffnessRatio * k);
         return double(sum);
     }
-    /// The tangential spring, of the square of its force, is lost to friction.
+    /// Dissipates the energy of a tangential spring with this squared force.
     FPM_KERNEL void lose(Index i, Work square, Work k) const
     {
         if (square > 0) dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * k));
     }
-    /// No touch: what the tangential spring still held is lost to friction. `gapChange` as above.
+    /// Separation: the energy of the tangential spring is dissipated. `gapChange` as in
+    /// normalForce.
     FPM_KERNEL void open(Index i, Work k, Work gapChange) const
     {
         spring[i] = 0;

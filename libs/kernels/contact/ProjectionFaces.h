@@ -5,15 +5,15 @@
 
 namespace fpm {
 
-/// Directions normal to each other, two at most.
+/// Up to two directions normal to each other.
 template <class Work>
 struct Directions {
     Vec3<Work> direction[2];
     int count = 0;
 
-    /// What of a vector is new.
+    /// Adds the direction of the part of a vector that is normal to those held.
     FPM_KERNEL void add(const Vec3<Work>& vector) { addPart(vector, dot(vector, vector)); }
-    /// What of it lies in the plane with this normal and is new.
+    /// Adds the direction of its part in the plane with this normal, likewise.
     FPM_KERNEL void add(const Vec3<Work>& vector, const Vec3<Work>& normal)
     {
         addPart(inPlane(vector, normal), dot(vector, vector));
@@ -25,7 +25,7 @@ struct Directions {
     }
 
 private:
-    /// `whole`: square of the vector that it is a part of; a small part would be rounding.
+    /// `whole`: square of the full vector; a part that is small against it would be rounding.
     FPM_KERNEL void addPart(const Vec3<Work>& vector, Work whole)
     {
         const Vec3<Work> part = without(vector);
@@ -35,14 +35,14 @@ private:
     }
 };
 
-/// Where a contactor is tracked: face and foot on it.
+/// Projection point of a contactor: face and natural coordinates.
 template <class Work>
 struct Place {
     Index face;
     Work xi, eta;
 };
 
-/// Whether a place of a face is on its border, which it has in common with others.
+/// Whether a point of a face lies on its border, which neighbouring faces share.
 template <class Work>
 FPM_KERNEL bool isOnBorder(Work xi)
 {
@@ -53,7 +53,7 @@ FPM_KERNEL bool isOnBorder(Work xi, Work eta)
 {
     return isOnBorder(xi) || isOnBorder(eta);
 }
-/// The edge at which a place on the border lies.
+/// Edge on which a border point lies.
 template <class Work>
 FPM_KERNEL int edgeAtXi(Work xi)
 {
@@ -65,7 +65,7 @@ FPM_KERNEL int edgeAtEta(Work eta)
     return eta > 0 ? 2 : 0;
 }
 
-/// A place on an edge as the face across it has it, where there is one.
+/// Point on an edge in the coordinates of the face across it; false where there is none.
 template <class Numbers>
 FPM_KERNEL bool placeAcross(const ContactPassView<Numbers>& pass,
                             const Place<typename Numbers::Work>& place,
@@ -76,19 +76,20 @@ FPM_KERNEL bool placeAcross(const ContactPassView<Numbers>& pass,
     if (across < 0) return false;
     out.face = across / 4;
     edgePoint(across & 3, shareAlong(edge, -place.xi, -place.eta), out.xi,
-              out.eta); // the other way round
+              out.eta); // the edge runs in the opposite direction there
     return true;
 }
 
-/// The others of the faces that have a place on the border of one in common: across an edge, around
-/// a corner.
+/// The other faces that share a projection point on the border of one: the face across an edge, all
+/// faces around a corner.
 template <class Numbers>
 struct FacesAroundProjection {
     using Work = typename Numbers::Work;
     const ContactPassView<Numbers>& pass;
     Index i; ///< contactor
 
-    /// visit(place, normal there) for those that do not look away, until it says false.
+    /// Calls visit(point, normal there) for those whose normal opposes the contactor's, until it
+    /// returns false.
     template <class Visit>
     FPM_KERNEL void forEach(const Place<Work>& projection, const Visit& visit) const
     {
@@ -131,10 +132,10 @@ private:
     }
 };
 
-/// The faces that have a foot in common, equal partners of the contactor: the one it lies inside,
-/// both at an edge, all around a corner, those that look away left out. The first is the one it is
-/// tracked on, which of them that is must not matter: one that looks away only where all of them
-/// do.
+/// The faces that share a projection point and are equal partners of the contactor: one face for a
+/// point inside, two at an edge, all around a corner, without those whose normal does not oppose
+/// the contactor's. The first is the face it is tracked on; results must not depend on which of
+/// them that is. A face that does not oppose the contactor is kept only where none does.
 template <class Numbers>
 struct ProjectionFaces {
     using Work = typename Numbers::Work;
@@ -142,7 +143,7 @@ struct ProjectionFaces {
 
     Index face[most];
     Work xi[most], eta[most];
-    Vec3<Work> normal[most]; ///< at the foot, on the face as it lies now
+    Vec3<Work> normal[most]; ///< at the projection point, on the face in its current position
     int count = 0;
 
     FPM_KERNEL ProjectionFaces() {} ///< none
@@ -152,7 +153,7 @@ struct ProjectionFaces {
     {
         addAll(pass, i, projection);
     }
-    /// At the foot of a projection; inside a face its normal is that of the face.
+    /// At the point of a projection; inside a face the normal is that of the face.
     FPM_KERNEL
     ProjectionFaces(const ContactPassView<Numbers>& pass,
                     Index i,
@@ -165,8 +166,8 @@ struct ProjectionFaces {
             add({first, at.xi, at.eta}, at.normal);
     }
 
-    /// Mean of the normals of all of them and, on planes of symmetry, of their images: what lies in
-    /// all of these planes, which need not be normal to each other.
+    /// Mean of the normals of all these faces and, on symmetry planes, of their mirror images: the
+    /// part that lies in all of these planes, which need not be normal to each other.
     FPM_KERNEL Vec3<Work> meanNormal(const ContactPassView<Numbers>& pass) const
     {
         Vec3<Work> mean = normal[0];
@@ -178,7 +179,7 @@ struct ProjectionFaces {
         }
         return cancelled.without((Work(1) / Work(count)) * mean);
     }
-    /// What a force in the first face is in another: they have it in common.
+    /// Image of a force on the first face at another; at a common projection point they are equal.
     FPM_KERNEL const Vec3<Work>& image(int, const Vec3<Work>& force) const { return force; }
 
 private:

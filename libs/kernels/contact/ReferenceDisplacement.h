@@ -6,14 +6,15 @@
 
 namespace fpm {
 
-/// What ReferenceDisplacement tells of a block of contact nodes.
+/// Number of values of ReferenceDisplacement per block of contact nodes.
 inline constexpr int displacementValues = 3;
 
-/// How far the contact nodes have come since their positions were remembered, or a little further,
-/// how fast they are, and how much rounding may have to do with the former: largest square of a
-/// block of nodes. One team = one block; the same in any order. Remembered are the place of the
-/// block's first node and from there the offsets of all as floats, whose rounding is added to the
-/// way: much where a block has nodes of bodies that lie a million element sizes apart.
+/// Upper bounds of the displacement of the contact nodes from their reference positions, of their
+/// speed, and of the rounding error in the former: the largest square in each block of nodes. One
+/// team = one block; the result does not depend on the order. Reference positions are kept as the
+/// position of the block's first node plus float offsets from it; the rounding of the offsets is
+/// added to the displacement. It is large where a block holds nodes of bodies that lie a million
+/// element sizes apart.
 template <class Numbers>
 struct ReferenceDisplacement {
     Index count;
@@ -23,9 +24,10 @@ struct ReferenceDisplacement {
     std::size_t nodeStride;
     const double* referenceOrigin; ///< [block][3]
     const float* referenceOffset;  ///< three planes of `count`
-    double* travel; ///< [block][displacementValues]: distance, speed, rounding in it, squared
+    double* travel; ///< [block][displacementValues]: displacement, speed, rounding of the former,
+                    ///< squared
 
-    /// Of a double that is kept as a float, and of the subtractions around it.
+    /// Relative rounding of a double kept as a float, and of the subtractions around it.
     static constexpr double rounding = 6e-8;
 
     static constexpr std::size_t scratch()
@@ -84,7 +86,8 @@ private:
     }
 };
 
-/// Remembers where the contact nodes were at a search, where the last look found one due.
+/// Stores the reference positions of the contact nodes at a search that the last list check
+/// demanded.
 template <class Numbers>
 struct StoreReferencePositions {
     Index count;
@@ -93,7 +96,7 @@ struct StoreReferencePositions {
     std::size_t nodeStride;
     double* referenceOrigin;
     float* referenceOffset;
-    const StepClock* clock; ///< null: whatever it found
+    const StepClock* clock; ///< null: store unconditionally
 
     FPM_KERNEL void operator()(Index i) const
     {
@@ -108,8 +111,8 @@ struct StoreReferencePositions {
     }
 };
 
-/// Empties the sums of the contact nodes before the pairs add to them; a clock that stands still
-/// keeps the forces of its time.
+/// Clears the force sums of the contact nodes before contact forces are added; a clock that stands
+/// still keeps the forces of its time.
 struct ClearContactSum {
     std::int64_t* sum;
     const StepClock* clock;

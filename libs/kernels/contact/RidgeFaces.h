@@ -4,15 +4,15 @@
 
 namespace fpm {
 
-/// Share of a quantity by which a symmetric model departs from its symmetry while it runs: more
-/// than rounding makes of it.
+/// Relative deviation from symmetry up to which two quantities count as equal: larger than what
+/// rounding makes of a symmetric model during a run.
 template <class Work>
 FPM_KERNEL constexpr Work symmetryShare()
 {
     return sizeof(Work) == 8 ? Work(1e-5) : Work(1e-4);
 }
-/// Whether squares of distances to two faces are equal but for that share and for the rounding of
-/// positions. `size`: square of a face's diagonal.
+/// Whether the squares of the distances to two faces are equal within that deviation and the
+/// rounding of positions. `size`: square of a face's diagonal.
 template <class Work>
 FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
 {
@@ -20,8 +20,8 @@ FPM_KERNEL bool isAsNear(Work other, Work here, Work size)
     const Work rounding = sizeof(Work) == 8 ? Work(1e-20) : Work(1e-12), apart = other - here;
     return apart * apart < here * (share * share * here + rounding * size);
 }
-/// Whether the nearest points of two faces are two, not one on their common edge: offsets of the
-/// contactor from them.
+/// Whether the projection points on two faces are distinct, not one point of a common edge.
+/// Arguments: offsets of the contactor from them.
 template <class Work>
 FPM_KERNEL bool areDistinctPoints(const Vec3<Work>& a, const Vec3<Work>& b, Work size)
 {
@@ -53,18 +53,18 @@ FPM_KERNEL bool haveEdgeInCommon(const ContactPassView<Numbers>& pass, Index a, 
     return false;
 }
 
-/// Faces to which a contactor inside a ridge is as near as to `face`, its feet inside all of them:
-/// those around one corner, four at most. The force belongs to all in equal shares, or a symmetric
-/// scene would move to one side.
+/// Faces to which a contactor inside a ridge is as near as to `face`, with projection points inside
+/// all of them: at most four around one corner. They take equal shares of the force; with one face
+/// alone a symmetric scene would drift to one side.
 template <class Numbers>
 struct RidgeFaces {
     using Work = typename Numbers::Work;
     static constexpr int most = 4;
 
-    Index face[most]; ///< the first is the one it is tracked on
+    Index face[most]; ///< the first is the face it is tracked on
     Work xi[most], eta[most];
     Vec3<Work> normal[most], offset[most];
-    bool adjacent[most]; ///< they have an edge in common with the first
+    bool adjacent[most]; ///< shares an edge with the first
     int count = 1;
 
     FPM_KERNEL
@@ -87,8 +87,8 @@ struct RidgeFaces {
         });
     }
 
-    /// What a force in the first face is in another: its image in the plane between two neighbours,
-    /// turned by half a circle about the line between faces that have only a corner in common.
+    /// Image of a force on the first face at another: mirrored in the plane midway between two
+    /// neighbours, rotated by half a turn about the midline of faces that share only a corner.
     FPM_KERNEL Vec3<Work> image(int k, const Vec3<Work>& force) const
     {
         if (k == 0) return force;

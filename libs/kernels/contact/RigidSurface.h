@@ -8,19 +8,20 @@
 
 namespace fpm {
 
-/// A point seen from an analytic surface: distance, negative inside the body, and outward normal.
+/// Signed distance of a point to an analytic surface, negative inside the body, and outward normal
+/// there.
 struct SurfacePoint {
     double gap;
     Vec3<double> normal;
-    bool opposite; ///< the surface has a point opposite this one, and one normal there
+    bool opposite; ///< the point has a unique closest point on the surface
 };
 
-/// A plane, cylinder or sphere that moves without turning.
+/// Plane, cylinder or sphere that translates without rotation.
 struct SurfaceShape {
     enum Kind : std::int32_t { plane, cylinder, sphere };
     Kind kind;
-    bool inside;  ///< the body is outside of the cylinder or sphere, which is a hole in it
-    bool bounded; ///< a cylinder that ends where its axis ends, without caps
+    bool inside;  ///< the body lies outside the cylinder or sphere, which is a hole in it
+    bool bounded; ///< the cylinder ends at both ends of its axis, without caps
     bool moves;
     Vec3<double> point; ///< of the plane; first end of the axis; centre
     Vec3<double> axis;  ///< outward normal of the plane; unit vector of the cylinder's axis
@@ -46,14 +47,14 @@ struct SurfaceShape {
             r = r - along * axis;
         }
         const double distance = squareRoot(dot(r, r));
-        if (!(distance > 0)) return {0, axis, false}; // on the axis: every normal is as good
+        if (!(distance > 0)) return {0, axis, false}; // on the axis no normal is unique
         const double sign = inside ? -1 : 1;
         return {sign * (distance - radius), (sign / distance) * r, opposite};
     }
 };
 
 /// Penalty and friction force of one contactor against an analytic surface: exact gap and normal,
-/// no faces, no search. Arrays over contactors, as in ContactPassView.
+/// neither faces nor search. Arrays over contactors, as in ContactPassView.
 template <class Numbers>
 struct SurfaceForce {
     using Work = typename Numbers::Work;
@@ -61,7 +62,7 @@ struct SurfaceForce {
     Index contactorCount;
     const Index* contactor;
     const Index* contactNumber; ///< of each node
-    double* force;              ///< on the contactor, this step
+    double* force;              ///< on the contactor in this step
     double* work;               ///< done by the moving surface, running sum
     const typename Numbers::Position* position;
     const typename Numbers::Motion* velocity;
@@ -69,8 +70,9 @@ struct SurfaceForce {
     ContactSums sums;
     const StepClock* clock;
     const double* amplitudeRows;
-    double reach;   ///< gap at which a spring counts for the step
-    double deepest; ///< no force grows beyond this depth: the sums have a largest value
+    double reach;   ///< gap below which a spring enters the stability bound
+    double deepest; ///< depth beyond which the force is constant, so that fixed-point sums cannot
+                    ///< overflow
     SurfaceShape shape;
     PassLaw<Work> law;
 
@@ -87,7 +89,7 @@ struct SurfaceForce {
         const SurfacePoint at = shape.at(x);
         const bool near = at.opposite && at.gap < reach;
         const Vec3<double> before = lastForce(i);
-        // A contactor out of reach that was open has nothing to tell.
+        // A contactor out of reach that was separated before contributes nothing.
         if (!near && !(law.spring[i] > 0)) return;
         const Vec3<double> surfaceDisplacement =
             moved - shape.displacement(amplitudeRows, now - step);

@@ -4,8 +4,8 @@
 
 namespace fpm {
 
-/// Mean unit normal of the contactor's own faces: faces that look the same way are no partners.
-/// Zero where they look all ways, as at the edge of a knife.
+/// Mean unit normal of the contactor's own faces; faces whose normal does not oppose it are no
+/// partners. Zero where the own normals cancel, as on the edge of a thin blade.
 template <class Numbers>
 struct ContactorNormal {
     ContactPassView<Numbers> pass;
@@ -30,15 +30,15 @@ struct ContactorNormal {
     }
 };
 
-/// Nodes of a pass that search: those of the blocks that are due, or all.
+/// Nodes of a pass to be searched: those of the blocks due, or all.
 struct NodeBlocks {
     static constexpr Index blocks(Index nodes) { return blocksOf(nodes, contactBlock); }
     const Index* list;       ///< numbers of blocks
-    const std::int64_t* due; ///< how many; null: all there are
-    const StepClock* clock;  ///< not null: none where no step follows
+    const std::int64_t* due; ///< number of blocks due; null: all blocks
+    const StepClock* clock;  ///< null: unconditional; otherwise no search where no step follows
 
     FPM_KERNEL bool any() const { return (!due || *due > 0) && (!clock || clock->mayStep()); }
-    /// Of indices below contactBlock * blocks(nodes); -1: none.
+    /// Node for an index below contactBlock * blocks(nodes); -1: none.
     FPM_KERNEL Index node(Index i) const
     {
         if (!any()) return -1;
@@ -48,7 +48,7 @@ struct NodeBlocks {
     }
 };
 
-/// A kernel over nodes, for those in blocks only.
+/// Runs a kernel over nodes for the nodes of the blocks due only.
 template <class Kernel>
 struct InBlocks {
     NodeBlocks blocks;
@@ -61,7 +61,7 @@ struct InBlocks {
     }
 };
 
-/// A kernel over whatever a search needs, where there is one.
+/// Runs a kernel that a search needs, only where there is a search.
 template <class Kernel>
 struct WhereSearched {
     NodeBlocks blocks;
@@ -72,12 +72,12 @@ struct WhereSearched {
     }
 };
 
-/// What a search found, entered into the slots of one node.
+/// Enters the result of a search into the slots of one node.
 template <class Numbers>
 struct SlotChoice {
     using Work = typename Numbers::Work;
     const ContactPassView<Numbers>& pass;
-    Index node; ///< number among the pair's nodes
+    Index node; ///< number among the nodes of the pass
 
     FPM_KERNEL void enter(NearestFaces<Work>& found, Around around) const
     {
@@ -93,7 +93,7 @@ struct SlotChoice {
             if (match < found.count) {
                 update(i, found.best[match], touching);
                 placed[match] = true;
-            } else if (!touching) // in touch it keeps its face where nothing better is found
+            } else if (!touching) // in contact it keeps its face where no nearer one is found
                 pass.face[i] = noFace;
         }
         for (int match = 0; match < found.count; ++match)
@@ -108,8 +108,9 @@ struct SlotChoice {
     }
 
 private:
-    /// Whoever comes from outside is found outside. What is first seen inside came in sideways or
-    /// was let go: to push it out would create the energy of the spring, so its depth is forgiven.
+    /// A contactor that approaches from outside is found outside. One that is first found inside
+    /// has entered over an edge or was released: pushing it out would create the energy of the
+    /// spring, so its depth is forgiven.
     FPM_KERNEL void forgive(Index i, Work gap) const
     {
         pass.overlap[i] = 0;
@@ -121,11 +122,11 @@ private:
     }
     FPM_KERNEL void update(Index i, const Candidate<Work>& found, bool touching) const
     {
-        if (found.face == pass.face[i]) return; // tracked already, warm start kept
+        if (found.face == pass.face[i]) return; // tracked already: the warm start is kept
         if (touching) {
             const FacePoint<Work> now = closestPoint(pass.corners(pass.face[i], pass.contactor[i]),
                                                      pass.xi[i], pass.eta[i]);
-            // As far away, such as on the edge between the two: no reason to change.
+            // Equally near, such as on the edge between the two: no reason to change.
             if (!(found.point.square < Work(0.9998) * now.square)) return;
             if (found.point.square < Work(0.98) * now.square
                 && now.square > Work(1e-8) * pass.reach * pass.reach)
@@ -137,7 +138,7 @@ private:
     }
 };
 
-/// `search faces`: the node tries every face entered into its own cells and those around them.
+/// `search faces`: tests every face entered into the node's own cells and those around them.
 template <class Numbers>
 struct FindFace {
     using Work = typename Numbers::Work;
@@ -168,8 +169,8 @@ private:
                              const Index (&partner)[mostPartners],
                              int partners) const
     {
-        if (partners > mostPartners) return aroundIntricate; // too many to tell
-        if (found.count == 0) return aroundCurved; // in touch deeper than the search looks
+        if (partners > mostPartners) return aroundIntricate; // more than the table holds
+        if (found.count == 0) return aroundCurved; // in contact, deeper than the search reaches
         Around result = aroundFlat;
         for (int p = 0; partners > 1 && p < partners; ++p)
             for (int k = 0; k < found.count; ++k) {
@@ -186,7 +187,7 @@ private:
     {
         return gapAt(pass.corners(face, pass.contactor[node]), Work(0), Work(0)).normal;
     }
-    /// No common node, and a free edge at one of them.
+    /// Whether two faces share no node, and one of them has a free edge.
     FPM_KERNEL bool apart(Index a, Index b) const
     {
         const std::size_t first = 4 * std::size_t(a), second = 4 * std::size_t(b);
@@ -201,8 +202,8 @@ private:
     }
 };
 
-/// The paper's search: closest target particle in the contactor's cell and its 26 neighbours (equal
-/// distances: lower number), then the faces around that particle.
+/// Search of the paper's section 3.2.3: closest target particle in the contactor's cell and its 26
+/// neighbours (of equal distances the lower number), then the faces around that particle.
 template <class Numbers>
 struct FindClosestParticle {
     using Work = typename Numbers::Work;
@@ -213,7 +214,7 @@ struct FindClosestParticle {
     {
         const Index closest = closestTarget(i);
         if (closest >= 0 && pass.cold && hasCorner(pass.face[i], closest))
-            return; // the faces around it are at hand, and projected on at every step
+            return; // the faces around it are known, and each step projects onto all of them
         NearestFaces<Work> found;
         if (closest >= 0)
             pass.visitAround(pass.targetCorner[closest] / 4, pass.targetCorner[closest] % 4,

@@ -5,8 +5,8 @@
 
 namespace fpm {
 
-/// Arc cosine to 2e-8 (double) with + - * and a root, the same bits everywhere (Abramowitz and
-/// Stegun 4.4.46).
+/// Arc cosine to 2e-8 (double) from + - * and a root, with equal bits on all backends (Abramowitz
+/// and Stegun 4.4.46).
 template <class Work>
 FPM_KERNEL Work arcCosine(Work cosine)
 {
@@ -23,8 +23,8 @@ FPM_KERNEL Work arcCosine(Work cosine)
     return c < 0 ? Work(3.14159265358979324) - p : p;
 }
 
-/// Whether a face with this normal looks the same way as the contactor: surfaces in contact look at
-/// each other. A contactor whose own faces look all ways has no say.
+/// Whether a face does not oppose the contactor: normals of surfaces in contact point against each
+/// other, n . n_c < 0. False where the contactor has no mean normal.
 template <class Numbers>
 FPM_KERNEL bool isNotOpposing(const ContactPassView<Numbers>& pass,
                               Index contactor,
@@ -36,17 +36,17 @@ FPM_KERNEL bool isNotOpposing(const ContactPassView<Numbers>& pass,
 }
 
 /// Signed distance to the surface at the closest point of one face. Inside the face it is measured
-/// along the normal. On an edge or at a corner the angle-weighted pseudo-normal says on which side
-/// the contactor is (method of Baerentzen and Aanaes 2005) and the gap is the distance itself, its
-/// normal the line to the closest point: the force is the gradient of k gap^2 / 2 there too. For a
-/// contactor the surface ends at its free edges and where it begins to look away.
+/// along the normal, eq. (15) of the paper. On an edge or corner the angle-weighted pseudo-normal
+/// gives the sign (Baerentzen and Aanaes 2005) and the gap is the distance itself, with the
+/// direction to the closest point as normal: the force is the gradient of k gap^2 / 2 there too.
+/// For a contactor the surface ends at its free edges and where its faces no longer oppose it.
 template <class Numbers>
 struct SignedGap {
     using Work = typename Numbers::Work;
     const ContactPassView<Numbers>& pass;
     Index contactor;
-    /// How far a contactor may lie beyond a free edge and still be held: a share of half the
-    /// face's width. Wider than rounding and the chords of a round rim.
+    /// Fraction of half the face's width by which a contactor may lie beyond a free edge and stay
+    /// in contact: wider than rounding and the chords of a round rim.
     static constexpr double edgeMargin = 0.02;
 
     FPM_KERNEL FaceCorners<Work> corners(Index face) const
@@ -54,7 +54,7 @@ struct SignedGap {
         return pass.corners(face, pass.contactor[contactor]);
     }
 
-    /// `beyond`: the contactor lies off the surface, over a free edge.
+    /// `beyond`: receives whether the contactor lies off the surface, over a free edge.
     FPM_KERNEL Projection<Work>
     at(Index face, const FaceCorners<Work>& here, const FacePoint<Work>& point, bool& beyond) const
     {
@@ -74,7 +74,7 @@ struct SignedGap {
             const Work distance = squareRoot(square);
             out.gap = dot(out.offset, pseudo) < 0 ? -distance : distance;
             out.normal = (Work(1) / out.gap) * out.offset;
-        } else { // its direction would be rounding
+        } else { // the direction of the offset would be rounding
             out.normal = (Work(1) / squareRoot(weight)) * pseudo;
             out.gap = dot(out.offset, out.normal);
         }
@@ -99,7 +99,7 @@ private:
         const FaceCorners<Work> other = corners(across / 4);
         Work xi, eta;
         edgePoint(across & 3, shareAlong(point.where, -point.xi, -point.eta), xi,
-                  eta); // the other way round
+                  eta); // the edge runs in the opposite direction there
         const Vec3<Work> normal = gapAt(other, xi, eta).normal;
         if (isNotOpposing(pass, contactor, normal))
             beyond = trim(here, point.where, pseudo, offset);
@@ -146,9 +146,9 @@ private:
                           f.corner[(c + 3) & 3] - f.corner[c]);
     }
 
-    /// Takes from the offset what lies beyond an edge where the surface ends: that is no distance.
-    /// True where it is more than the margin and more than what is left, the depth: a contactor is
-    /// held until it is further out than in.
+    /// Removes from the offset the part beyond an edge where the surface ends, which is no
+    /// distance. True where that part exceeds both the margin and the remaining offset, the depth:
+    /// a contactor stays in contact until it is further out than in.
     FPM_KERNEL static bool
     trim(const FaceCorners<Work>& f, int edge, const Vec3<Work>& normal, Vec3<Work>& offset)
     {

@@ -5,7 +5,7 @@
 
 namespace fpm {
 
-/// Measures how far a contactor slips along the target in a step, for friction.
+/// Slip increment of a contactor along the target in one step, for friction.
 template <class Numbers>
 struct Slip {
     using Work = typename Numbers::Work;
@@ -13,7 +13,7 @@ struct Slip {
     const ContactPassView<Numbers>& pass;
     Index i;
 
-    /// Movement of the contactor against the face in this step.
+    /// Displacement increment of the contactor relative to the material of the face, Delta u.
     FPM_KERNEL Vec3<Work> relativeDisplacement(Index face, const Projection<Work>& at) const
     {
         Work n[4];
@@ -23,8 +23,9 @@ struct Slip {
             relative = relative - n[k] * pass.velocityOf(pass.faceNode[4 * std::size_t(face) + k]);
         return Work(pass.clock->step) * relative;
     }
-    /// Way of the contactor as the target sees it, which turns, since it was at `last`. `corners`:
-    /// of its face now; `here`: the faces at its foot. Only its part along the surface is meant.
+    /// Objective slip increment: displacement of the contactor in the rotating frame of the target
+    /// since the projection point `last`. `corners`: of its present face; `here`: the faces at its
+    /// projection point. Only the tangential part is used.
     FPM_KERNEL Vec3<Work> displacement(const Tracked<Work>& now,
                                        const Faces& here,
                                        const FaceCorners<Work>& corners,
@@ -42,9 +43,9 @@ struct Slip {
         return displacement;
     }
 
-    /// Where friction and its image cancel: directions out of the planes of symmetry that the
-    /// contactor lies on, of the model, and where it stays in them inside a ridge or midway in a
-    /// valley.
+    /// Directions in which friction cancels with its mirror image: normal to the symmetry planes of
+    /// the model on which the contactor lies, and to the plane midway between faces while the
+    /// contactor stays in it inside a ridge or in a valley.
     FPM_KERNEL Directions<Work> acrossMirrors(const Tracked<Work>& now, const Faces& here) const
     {
         Directions<Work> out;
@@ -60,7 +61,7 @@ struct Slip {
     }
 
 private:
-    /// Adds the directions out of the planes midway between faces with an edge in common.
+    /// Adds the normals of the planes midway between faces that share an edge.
     template <class AnyFaces>
     FPM_KERNEL void addMidway(const AnyFaces& faces,
                               const Tracked<Work>& now,
@@ -75,13 +76,14 @@ private:
                     out.add(apart, now.at.normal);
             }
     }
-    /// Whether a movement lies in the plane midway between two faces. `apart`: difference of their
-    /// normals.
+    /// Whether a displacement lies in the plane midway between two faces. `apart`: difference of
+    /// their normals.
     FPM_KERNEL static bool staysMidway(const Vec3<Work>& moved, const Vec3<Work>& apart)
     {
         return isNormal(moved, apart, Work(1));
     }
-    /// Whether a place does, seen from their edge: to a share of their angle.
+    /// Whether a point lies in it, seen from the common edge, within a fraction of the angle of the
+    /// faces.
     FPM_KERNEL static bool isMidway(const Vec3<Work>& offset, const Vec3<Work>& apart)
     {
         const Work square = dot(apart, apart);
@@ -94,11 +96,11 @@ private:
         return !(out * out > share * share * square * dot(to, to) * dot(vector, vector));
     }
 
-    /// Way of the foot plus gap times the change of the normal, both on the target as it lies now.
-    /// At an edge the normal is the mean of those of the faces that have it, so that half of what
-    /// it turns by there counts when the foot comes to the edge and half when it leaves. Inside a
-    /// ridge, where the other side becomes the nearer one, the foot leaps and the normal with it:
-    /// their sum does not.
+    /// Displacement of the projection point plus gap times change of normal, Delta x_p and g Delta
+    /// n, both on the target in its current position. At an edge the normal is the mean of those of
+    /// the adjoining faces, so that half of its change counts when the projection point reaches the
+    /// edge and half when it leaves it. Inside a ridge, where the nearest side changes, projection
+    /// point and normal jump, but their sum does not.
     FPM_KERNEL Vec3<Work> displacementOverFaces(const Tracked<Work>& now,
                                                 const Faces& here,
                                                 const Faces& there,
@@ -115,8 +117,8 @@ private:
         return moved + now.at.gap * (here.meanNormal(pass) - there.meanNormal(pass));
     }
 
-    /// Whether a place on a border of a face lies where the surface ends for the contactor.
-    /// `known`: the faces that have it in common, null: to be found out.
+    /// Whether a border point of a face lies where the surface ends for the contactor. `known`: the
+    /// faces that share it; null: to be determined.
     FPM_KERNEL bool isOnRim(const Place<Work>& at, const Faces* known) const
     {
         return (isOnBorder(at.xi) && endsAt(at, edgeAtXi(at.xi), known))
@@ -136,7 +138,7 @@ private:
         return isNotOpposing(pass, i, gapAt(corners, other.xi, other.eta).normal);
     }
 
-    /// Whether what lies beyond where the surface ends counts, now or one step ago.
+    /// Whether the displacement beyond the end of the surface counts, now or one step ago.
     FPM_KERNEL bool isBeyond(const Projection<Work>& at,
                              const FaceCorners<Work>& corners,
                              const Place<Work>& last,
@@ -145,8 +147,9 @@ private:
         const Vec3<Work> trimmed = offsetOn(corners, at.xi, at.eta) - at.offset;
         return dot(trimmed, trimmed) > 0 || isOnRim(last, known);
     }
-    /// Where the surface ends the foot stays on its edge while the contactor goes on beyond: the
-    /// way that the foot does not make, as seen from the faces there.
+    /// Beyond the end of the surface the projection point stays on the edge while the contactor
+    /// moves on: the part of the displacement that the projection point does not follow, relative
+    /// to the faces there.
     FPM_KERNEL Vec3<Work> displacementBeyondEdge(const Projection<Work>& at,
                                                  const Faces& here,
                                                  const Faces& there,
@@ -159,7 +162,8 @@ private:
             before += offsetBefore({there.face[k], there.xi[k], there.eta[k]});
         return (Work(1) / Work(here.count)) * after - (Work(1) / Work(there.count)) * before;
     }
-    /// In-plane offset of the contactor from its last foot, one step ago, turned with that face.
+    /// In-plane offset of the contactor from its last projection point, one step ago, rotated with
+    /// that face.
     FPM_KERNEL Vec3<Work> offsetBefore(const Place<Work>& last) const
     {
         const FaceCorners<Work> now = pass.corners(last.face, pass.contactor[i]);

@@ -5,19 +5,19 @@
 
 namespace fpm {
 
-/// A contactor's face at this step and its signed distance to it.
+/// Face of a contactor in this step and its signed distance to it.
 template <class Work>
 struct Tracked {
     Index face;
     Work xi, eta;
     Projection<Work> at;
     bool beyond; ///< it left the surface over a free edge
-    bool ridge;  ///< it lies inside a ridge, as near to other faces: RidgeFaces
+    bool ridge;  ///< it lies inside a ridge, equally near to other faces: RidgeFaces
 };
 
-/// Contactors from `first` on, one in each lane of T, projected from where they were: those in
-/// reach of flat surface only that lie over the face they had are tracked by that alone, as most
-/// are.
+/// Narrow phase of the contactors from `first` on, one in each lane of T: closest-point projection
+/// from the last point. Contactors with a flat target within reach that stay over their face need
+/// nothing else; most of them do.
 template <class Numbers, class T>
 class SteadyContactors
 {
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// Which lanes have a face in reach of flat surface only; whether any has.
+    /// Marks the lanes whose target is flat within reach; returns whether there is any.
     FPM_KERNEL static bool
     areFlat(const ContactPassView<Numbers>& pass, Index first, Work (&flat)[lanes])
     {
@@ -82,7 +82,7 @@ private:
         }
         return any;
     }
-    /// Corners of the face of one lane, and where its contactor was on it.
+    /// Corners of the face of one lane, and the last projection point of its contactor.
     FPM_KERNEL static void fetch(const ContactPassView<Numbers>& pass,
                                  Index first,
                                  int lane,
@@ -99,7 +99,7 @@ private:
         start[0][lane] = pass.xi[i];
         start[1][lane] = pass.eta[i];
         const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
-        for (int k = 0; k < 4; ++k) // where the forces go will be asked for last
+        for (int k = 0; k < 4; ++k) // the force sums are needed last
             prefetch(pass.sums.values + 4 * pass.contactNumberAt(face, k));
         prefetch(pass.sums.values + 4 * std::size_t(pass.contactNumber[pass.contactor[i]]));
         for (int k = 0; k < 4; ++k) {
@@ -108,8 +108,8 @@ private:
             corner[3 * k + 2][lane] = corners.corner[k].z;
         }
     }
-    /// Inside, and nearer to an edge than a tenth of its depth: inside a ridge, even one so blunt
-    /// that its faces count as flat, other faces may be as near.
+    /// Inside, and nearer to an edge than a tenth of the depth: inside a ridge, even one so blunt
+    /// that its faces count as flat, other faces may be equally near.
     FPM_KERNEL static MaskOf<T> nearsRidge(const FaceCorners<T>& corners, const Projection<T>& at)
     {
         Vec3<T> r, t1, t2;
@@ -124,18 +124,18 @@ private:
     alignas(T) Work holds_[lanes], values_[9][lanes];
 };
 
-/// Follows a contactor from face to face between searches: always to the nearest, by its warm
-/// projection and, where the surface is not flat, a look across the edges near it. Where faces that
-/// look quite other ways are in reach (`aroundIntricate`) the cells of the last search are tried,
-/// so that the tracker cannot miss what the search would find. With `projection cold` it follows
-/// nothing: it looks at all faces around a corner.
+/// Tracks a contactor from face to face between searches, always to the nearest: projection from
+/// the last point and, where the surface is not flat, a test of the faces across nearby edges.
+/// Where faces at large angles lie within reach (`aroundIntricate`), all faces of the cells of the
+/// last search are tested, so that tracking finds what a search would find. With `projection cold`
+/// nothing is tracked: all faces around a corner are tested.
 template <class Numbers>
 struct FaceTracker {
     using Work = typename Numbers::Work;
     const ContactPassView<Numbers>& pass;
     CellLists cells;
     static constexpr int maxHops = 16;
-    /// A square must be smaller by more than rounding to be nearer.
+    /// A squared distance has to be smaller by more than rounding to count as nearer.
     static constexpr Work less = Work(1) - (sizeof(Work) == 8 ? Work(1e-12) : Work(1e-5));
 
     FPM_KERNEL Tracked<Work> follow(Index i) const
@@ -151,7 +151,8 @@ struct FaceTracker {
         bool ridge = false;
         for (int hop = 0; hop < maxHops && hopped(i, here, corners, ridge); ++hop)
             if (hop == maxHops - 1)
-                pass.around[i] = aroundIntricate; // too far for hops: the cells know
+                pass.around[i] = aroundIntricate; // too far to step from face to face: search the
+                                                  // cells
         if (pass.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
         Tracked<Work> out = measured(i, here, corners);
         out.ridge = ridge && out.at.gap < 0;
@@ -167,8 +168,8 @@ private:
         return out;
     }
 
-    /// `projection cold`, as in the paper: on every face around the corner nearest to the
-    /// contactor, from its middle.
+    /// `projection cold`, as in the paper: projects onto every face around the corner nearest to
+    /// the contactor, from the face centre.
     FPM_KERNEL void aroundCorner(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
     {
         int nearest = 0;
@@ -188,9 +189,10 @@ private:
         });
     }
 
-    /// Moves to a face that is nearer by more than rounding; of those with one foot in common, from
-    /// one that looks away to one that does not, or they would share the contactor with it or not
-    /// as it is tracked. `ridge`: both are as near, each with a foot inside it.
+    /// Moves to a face that is nearer by more than rounding. Of faces that share the projection
+    /// point it moves from one that does not oppose the contactor to one that does: otherwise their
+    /// shares of the force would depend on which of them is tracked. `ridge`: receives whether both
+    /// are equally near, each with a projection point inside it.
     FPM_KERNEL bool moved(
         Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
@@ -205,7 +207,7 @@ private:
                                                  offsetOn(there, found.xi, found.eta), size);
             ridge = ridge || (inside && apart);
             turnedAway = !apart && isNotOpposing(pass, i, normalAt(corners, here.point));
-            // To hop on one point would be rounding.
+            // A change of face at one common point would be decided by rounding.
             if (!turnedAway && (inside || !apart)) return false;
         }
         if (!(turnedAway || found.square < less * here.point.square)
@@ -222,14 +224,14 @@ private:
         return gapAt(face, point.xi, point.eta).normal;
     }
 
-    /// Moves to a neighbour that is nearer by more than rounding, if there is one.
+    /// Moves to a neighbouring face that is nearer by more than rounding, if there is one.
     FPM_KERNEL bool
     hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
     {
         ridge = false;
         if (here.point.where >= firstCorner) {
-            // Across its edges first: of faces equally near, as at a plane of symmetry, those stay
-            // on the same side.
+            // Across its edges first: of equally near faces, as at a symmetry plane, these lie on
+            // the same side.
             const int corner = here.point.where - firstCorner;
             for (int edge = corner; edge < corner + 4; edge += 3) {
                 const Index next = pass.neighbour[4 * std::size_t(here.face) + (edge & 3)];
@@ -249,7 +251,7 @@ private:
         return false;
     }
 
-    /// Faces across the edges near the closest point that may be nearer: how many.
+    /// Number of faces across the edges near the closest point that may be nearer.
     FPM_KERNEL Index acrossEdges(Index i,
                                  const Candidate<Work>& here,
                                  const FaceCorners<Work>& corners,
@@ -263,7 +265,7 @@ private:
         }
         Vec3<Work> r, t1, t2;
         evaluateFace(corners, point.xi, point.eta, r, t1, t2);
-        // Across an edge further away than the face itself nothing that turns by less than a right
+        // Across an edge further away than the face itself no face that turns by less than a right
         // angle can be nearer.
         const Work xi = 1 - (point.xi < 0 ? -point.xi : point.xi),
                    eta = 1 - (point.eta < 0 ? -point.eta : point.eta);
@@ -281,7 +283,7 @@ private:
         return count;
     }
 
-    /// Whether the face across an edge bends to the side the contactor is on.
+    /// Whether the face across an edge bends towards the side of the contactor.
     FPM_KERNEL bool turns(Index i,
                           Index across,
                           const FaceCorners<Work>& corners,
@@ -292,7 +294,8 @@ private:
         if (across < 0) return false;
         const Index* nodes = pass.faceNode + 4 * std::size_t(across / 4);
         const Index origin = pass.contactor[i];
-        // The far corners of the neighbour seen from the common edge, which it has the other way.
+        // Far corners of the neighbour relative to the common edge, whose direction is opposite
+        // there.
         const Vec3<Work> a = pass.relative(nodes[(across + 3) & 3], origin)
                              - corners.corner[(edge + 1) & 3],
                          b = pass.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];

@@ -5,12 +5,12 @@
 
 namespace fpm {
 
-/// Bulk viscosity of one step: linear in both signs, quadratic in compression. Acts in the force,
-/// not in the stress.
+/// Bulk viscosity of one step: linear in both signs, quadratic in compression. It acts in the nodal
+/// force, not in the stress.
 template <class T>
 struct BulkViscosity {
     T pressure;  ///< to be added to the mean stress (tension positive)
-    T damping;   ///< share of the critical damping of a wave as long as the element
+    T damping;   ///< fraction of the critical damping of a wave as long as the element
     T slowness;  ///< sqrt(density / pressure wave modulus)
     T waveSpeed; ///< its inverse
 };

@@ -6,8 +6,8 @@
 
 namespace fpm {
 
-/// A deleted element is known by its stored plastic strain alone: -1 - (its last value), which no
-/// living element can have. Its first stress value is the elastic energy it took along.
+/// A deleted element is marked by its stored plastic strain alone: -1 - (its last value), a value
+/// that no other element has. Its first stress value keeps the elastic energy it had.
 FPM_KERNEL constexpr bool isDeleted(double storedStrain)
 {
     return storedStrain < 0;
@@ -41,10 +41,10 @@ FPM_KERNEL Sym3<T> zeroWhere(const Mask& mask, const Sym3<T>& a)
             select(mask, zero, a.xy), select(mask, zero, a.yz), select(mask, zero, a.zx)};
 }
 
-/// Deletes the elements whose plastic strain passes the part's limit in this step, and, where the
-/// part says so, those that turn inside out; keeps the deleted ones deleted. They bear nothing,
-/// limit no time step and do no work. `start`: state before the step; `before`: its stress, turned;
-/// `work`: what the forces of the start did in this step, stress and hourglass.
+/// Deletes the elements whose plastic strain exceeds the part's limit in this step and, where the
+/// part demands it, inverted ones; deleted elements stay deleted. They carry no load, limit no time
+/// step and do no work. `start`: state before the step; `before`: its stress, rotated; `work`: work
+/// of the forces at the start in this step, of stress and hourglass control.
 template <class T>
 FPM_KERNEL void erode(const MaterialConstants<ScalarOf<T>>& m,
                       const ElementState<T>& start,
@@ -59,7 +59,7 @@ FPM_KERNEL void erode(const MaterialConstants<ScalarOf<T>>& m,
     const T zero = T(Real(0)), one = T(Real(1)), half = T(Real(0.5));
     const T strain = start.equivalentPlasticStrain;
     const auto deleted = strain < zero;
-    T inverted = zero; // 1: inside out, nothing computed for the element in this step has a meaning
+    T inverted = zero; // 1: inverted, nothing computed for the element in this step is valid
     if (m.general.erodesInverted) inverted = select(step.stableTimeStep > zero, zero, one);
     const auto broken = inverted > half;
     const T increment = select(broken, zero, step.plasticStrainIncrement);
@@ -71,7 +71,7 @@ FPM_KERNEL void erode(const MaterialConstants<ScalarOf<T>>& m,
     if (!NumberTraits<T>::any(gone)) return;
 
     const auto now = dies > half;
-    const T nothing = select(deleted, one, inverted); // 1: books nothing
+    const T nothing = select(deleted, one, inverted); // 1: does no work
     const auto mute = nothing > half;
     step.internal = select(mute, zero, select(now, work.internal, step.internal));
     step.hourglass = select(mute, zero, select(now, work.hourglass, step.hourglass));

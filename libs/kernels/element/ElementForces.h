@@ -9,17 +9,17 @@
 
 namespace fpm {
 
-/// A patch as the element kernel sees it.
+/// Mesh patch as the element kernel receives it.
 struct PatchHeader {
     Index elementCount;
     Index tile; ///< padded elements in all patches before
     Index firstNode, nodeCount;
-    Index interiorCount;   ///< its first nodes, numbered in a row: no other patch touches them
+    Index interiorCount;   ///< its first nodes, numbered consecutively: no other patch has them
     Index firstPartialSum; ///< one for each of its other nodes
     Index material;
     Index movesInterior; ///< 1: some of its interior nodes are moved with it, not by NodeMotion
-    Index corners, cornerStarts, slotCorners; ///< where the tables of its shape begin
-    std::size_t state, strains;               ///< where the state of the patch begins (StateLayout)
+    Index corners, cornerStarts, slotCorners; ///< start of the tables of its shape
+    std::size_t state, strains;               ///< start of the state of the patch (StateLayout)
 };
 
 static_assert(patchCapacity == 256, "ElementPass::slotCorners keep the element in eight bits");
@@ -27,7 +27,7 @@ static_assert(patchCapacity == 256, "ElementPass::slotCorners keep the element i
 inline constexpr int elementEnergies = 4; ///< internal, plastic, hourglass, bulk viscosity
 inline constexpr int elementSums = elementEnergies + 1; ///< and the stable step
 
-/// Bytes of scratch a patch of `nodes` nodes needs: nodes, corner forces, sums.
+/// Bytes of scratch for a patch of `nodes` nodes: nodes, corner forces, sums.
 template <class Work>
 constexpr std::size_t elementScratch(std::size_t nodes)
 {
@@ -36,10 +36,10 @@ constexpr std::size_t elementScratch(std::size_t nodes)
            + blockSumScratch(elementSums);
 }
 
-/// One step of a patch: moves its interior nodes by the forces it has kept of them, then updates
-/// stress and internal force of its elements: loads the patch's nodes into scratch, works the
-/// elements, and sums their corner forces per node in ascending element order. Boundary nodes get
-/// one partial sum a patch; the node pass adds those in patch order.
+/// One step of the elements of a patch. Moves the interior nodes by the forces stored for them,
+/// reads the patch's nodes into scratch, updates stress and internal force of each element, and
+/// sums the corner forces per node in ascending element order, eq. (2) of the paper. Boundary nodes
+/// get one partial sum per patch, which NodeMotion adds in patch order.
 /// `Material`: see MaterialLaw; `Element`: a type with
 ///     Shape              its nodes and faces, such as HexahedronShape
 ///     word, name         of `hexahedron` in a dictionary, and in reports
@@ -58,12 +58,13 @@ struct ElementForces {
     const PatchHeader* patches;
     const MaterialConstants<Work>* materials;
     const Index* boundaryNodes;   ///< the nodes of a patch beyond the interior, as partial sums
-    const std::uint16_t* corners; ///< node inside the patch, 8 values an element, in tiles
+    const std::uint16_t* corners; ///< node within the patch, 8 values per element, in tiles
     const std::uint16_t* cornerStarts; ///< element corners around a node: CSR
     const std::uint16_t* slotCorners;  ///< ... corner * patchCapacity + element, ascending element
     InteriorNodes<Numbers> nodes;      ///< all nodes of the model
     const Work* mass;                  ///< tiles of 1
-    const Work* massRatio; ///< mass over that without mass scaling, which heats; null: 1
+    const Work* massRatio; ///< mass over mass without scaling, for the heat of plastic work; null:
+                           ///< 1
     Work* state;           ///< tiles of the part's StateLayout
     Sum* plasticStrain;    ///< likewise, with the rises of temperature
     Work* partialForce;    ///< of other than interior nodes, x y z each
@@ -89,7 +90,7 @@ struct ElementForces {
         Work* sums = forces + 3 * Element::Shape::nodes * patchCapacity;
         double* partial = reinterpret_cast<double*>(sums + elementSums * patchCapacity);
 
-        if (patch.movesInterior && clock->steps > 0) { // forces are known after the start
+        if (patch.movesInterior && clock->steps > 0) { // before the first step no forces are known
             nodes.advance(team, std::size_t(patch.firstNode), patch.interiorCount, *clock);
             team.barrier();
         }
@@ -177,7 +178,7 @@ private:
         });
     }
 
-    /// The state of the Gauss points of one batch of elements, where it lies.
+    /// State of the Gauss points of one batch of elements in memory.
     struct PointStates {
         const ElementForces& kernel;
         const MaterialConstants<Work>& m;
@@ -241,8 +242,8 @@ private:
     {
         const StateLayout layout = layoutOf(m);
         const Work* first = state + patch.state + inTiles(e, layout.size());
-        // The same place of the next tile: no two loads are a fixed distance apart, which is what
-        // a processor would foresee by itself.
+        // Prefetch the same entry of the next tile: consecutive loads have no constant stride that
+        // a processor could predict.
         if (NumberTraits<T>::lanes > 1 && point == 0)
             for (int k = 0; k < layout.size(); ++k)
                 prefetch(first + (layout.size() + k) * tileWidth);
@@ -268,7 +269,7 @@ private:
             readHourglass(first + layout.hourglassForces() * tileWidth, to.hourglass);
     }
 
-    /// Where the hourglass forces of an element lie as floats.
+    /// Start of the hourglass forces of an element that are stored as floats.
     FPM_KERNEL float*
     floatForces(const PatchHeader& patch, const StateLayout& layout, Index e) const
     {

@@ -4,21 +4,22 @@
 
 namespace fpm {
 
-/// Where an element stands: its state before the step, and after updateHexahedron.
+/// State of an element before the step, and after updateHexahedron.
 template <class T>
 struct ElementState {
     Sym3<T> stress;            ///< Cauchy, global axes
     T equivalentPlasticStrain; ///< negative: the element is deleted (Deletion.h)
     Vec3<T> hourglass[4];      ///< forces Q_j, or strains c_j of the physical form
-    Sym3<T> backstress;        ///< deviator; only parts with kinematic hardening
-    T temperatureRise;         ///< since the start; only parts that heat
+    Sym3<T> backstress;        ///< deviator; only for parts with kinematic hardening
+    T temperatureRise;         ///< since the start; only for parts with heating
 };
 
-/// What one step of an element adds to the ledger, and the step it could take next.
+/// Energy increments of one element in one step, and its stable time step.
 template <class T>
 struct ElementStep {
     T internal, hourglass, bulkViscosity; ///< work done in this step
-    T plastic;                            ///< dissipated by flow, also in bending: part of internal
+    T plastic;                            ///< plastic dissipation, also of bending: part of
+                                          ///< internal
     T plasticStrainIncrement;
     T stableTimeStep;       ///< Flanagan-Belytschko with bulk viscosity; <= 0 or NaN: inverted
     T temperatureIncrement; ///< only GeneralPlasticity

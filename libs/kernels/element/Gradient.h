@@ -4,8 +4,9 @@
 
 namespace fpm {
 
-/// Exact mean gradient of a hexahedron with bilinear faces (Flanagan and Belytschko 1981), in mode
-/// space: B_iI = dV/dx_iI = (1/64) sum_m g[m]_i pattern_m(I), V = volume64 / 64.
+/// Exact mean gradient of a hexahedron with bilinear faces (Flanagan and Belytschko 1981), the B of
+/// eq. (6) of the paper, in mode space: B_iI = dV/dx_iI = (1/64) sum_m g[m]_i pattern_m(I), V =
+/// volume64 / 64.
 template <class T>
 struct Gradient {
     Vec3<T> g[7]; ///< g[1..6]; g[0] unused, mode 7 has none
@@ -26,7 +27,7 @@ FPM_KERNEL Gradient<T> meanGradient(const Modes<T>& x)
     g[4] = third * (c25 + cross(a[6], a[1]));
     g[5] = third * (cross(a[4], a[2]) + cross(a[3], a[6]));
     g[6] = third * (c53 + cross(a[1], a[4]));
-    // V is cubic in the modes: 3 V = sum_m a_m . dV/da_m, here with the terms that repeat left out.
+    // V is cubic in the modes: 3 V = sum_m a_m . dV/da_m, here without the repeated terms.
     out.volume64 = fusedMultiplyAdd(third, dot(a[4], c25) + dot(a[6], c53), dot(a[1], g[1]));
     return out;
 }

@@ -12,10 +12,12 @@
 
 namespace fpm {
 
-/// One time step of FPM-H8R (the paper, section 2; one point, exact mean gradient). `x`: modes of
-/// the corner coordinates at the end of the step, `increment`: modes of the displacement over the
-/// step; on return `increment` holds the modes of the internal force on the corners.
-/// `strainPoint`: where the strain is measured, 0.5 mid-step, 1 start of the step (the paper).
+/// One time step of FPM-H8R (the paper, section 2.2; one point, exact mean gradient): fictitious
+/// reverse motion, strain increment of eq. (6), stress update of eqs. (7) and (8), corner forces of
+/// eqs. (9) to (11). `x`: modes of the corner coordinates at the end of the step, `increment`:
+/// modes of the displacement over the step; on return `increment` holds the modes of the internal
+/// force on the corners. `strainPoint`: where the strain is measured, 0.5 mid-step, 1 start of the
+/// step (the paper).
 template <class Material, class Hourglass, class T>
 FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>& m,
                                            const Modes<T>& x,
@@ -28,7 +30,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     using Real = ScalarOf<T>;
     const T one = T(Real(1)), half = T(Real(0.5)), zero = T(Real(0));
 
-    // Reverse motion: what is left of the increment when the rotation is taken out.
+    // Fictitious reverse motion: removes translation and rotation from the increment.
     Modes<T>& w = increment;
     Modes<T> middle;
     const Mat3<T> rotation =
@@ -50,7 +52,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const T volume = strainGradient.volume64 * T(Real(1) / Real(64));
     const T density = T(Real(64)) * mass * inverseVolume64;
     const T square = gradientSquare512(strainGradient) * T(Real(1) / Real(512));
-    [[maybe_unused]] ElementState<T> start; // what the general options may have to come back to
+    [[maybe_unused]] ElementState<T> start; // state to restore where the general options require it
     if constexpr (Material::general) start = state;
     auto hourglass = Hourglass::template trial<T>(
         m,
@@ -61,7 +63,7 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
     const Sym3<T> before = rotated(rotation, state.stress);
     state.stress = elasticStress<T>(m, before, strain);
     PlasticStep<T> plastic{zero, zero, zero};
-    T bent = zero; // plastic work of the bending per volume
+    T bent = zero; // plastic work of bending per volume
     if constexpr (Material::plastic) {
         Real kinematic = 0;
         FlowPoint<T> point{state.equivalentPlasticStrain, hourglass.bending, zero, rate};
@@ -110,7 +112,8 @@ FPM_KERNEL ElementStep<T> updateHexahedron(const MaterialConstants<ScalarOf<T>>&
 
     step.hourglass = hourglass.workStart + hourglass.workTrial;
 
-    // Force modes at the end of the step: sigma : B plus the orthogonal hourglass part.
+    // Corner forces at the end of the step: eq. (10), sigma : B by one point, which satisfies eq.
+    // (9), plus the orthogonal hourglass part, eq. (11).
     const Gradient<T> forceGradient = meanGradient(x);
     const T sixtyFourth = T(Real(1) / Real(64));
     Mat3<T> s = matrix(sixtyFourth * state.stress);

@@ -5,8 +5,8 @@
 
 namespace fpm {
 
-/// What the hourglass forms share: mode 4 + j belongs to Gamma_{order} of Flanagan and Belytschko.
-/// Modes are kept in the order eta zeta, zeta xi, xi eta, xi eta zeta.
+/// Input of every hourglass form: mode 4 + j belongs to Gamma_{order} of Flanagan and Belytschko.
+/// Modes have the order eta zeta, zeta xi, xi eta, xi eta zeta.
 FPM_KERNEL constexpr int hourglassMode(int j)
 {
     return j == 0 ? 5 : j == 1 ? 6 : j == 2 ? 4 : 7;
@@ -35,15 +35,15 @@ struct HourglassInput {
 /// Trial state of a step: work of the forces at its start, and at its end, over half of the step.
 template <class T>
 struct HourglassTrial {
-    T workStart, workTrial;       ///< of motions that one point cannot see and that are spurious
+    T workStart, workTrial;       ///< of spurious motions that one point does not see
     T bendingStart, bendingTrial; ///< of the bending of the section, part of the strain energy
-    T bending;       ///< equivalent bending stress of the section, 0 where the form knows none
+    T bending;       ///< equivalent bending stress of the section, 0 where the form has none
     T bendingEnergy; ///< twice the elastic energy of that bending per volume
 };
 
 /// Artificial stiffness (Flanagan and Belytschko 1981), k = kappa (lambda + 2 mu) B B / (8 V);
-/// kappa = 1 is the highest frequency of a brick; up to 0.2 no warped element's stable step is
-/// touched. Q turns with the element.
+/// kappa = 1 gives the highest frequency of a brick; up to 0.2 the stable step of no warped element
+/// changes. Q rotates with the element.
 struct StiffnessHourglass {
     static constexpr const char* word = "stiffness";
     static constexpr int stateSize = 12;

@@ -95,9 +95,9 @@ struct PhysicalHourglass {
         return out;
     }
 
-    /// The section keeps the share `section` of modes 1 to 3, and `radial` of mode 4: that is no
-    /// bending of the section, so it decays as the deviator does under the flow of the whole. It
-    /// always meets a resistance, and bears no load at rest.
+    /// The section keeps the fraction `section` of modes 1 to 3, and `radial` of mode 4: that mode
+    /// is no bending of the section, so it decays like the deviator under the flow of the whole
+    /// element. It always meets a resistance, and carries no load at rest.
     template <class T>
     FPM_KERNEL static void
     yield(const T& section, const T& radial, Vec3<T> (&c)[4], Trial<T>& trial)

@@ -24,8 +24,9 @@ struct SurfaceTilt {
     Vec3<T> normal; ///< unit, at the end of the step
 };
 
-/// `x`: modes at the end; `w`: modes of the displacement increment. The middle surface's normal is
-/// x1 x x2. With `arcsine` the angle is the paper's arcsin of eq. (4), at most a right angle.
+/// Out-of-plane rotation of the xi-eta middle surface, eq. (4) of the paper. `x`: modes at the end;
+/// `w`: modes of the displacement increment. The normal of the middle surface is x1 x x2. With
+/// `arcsine` the angle is the arcsine as printed, at most a right angle.
 template <bool arcsine = false, class T>
 FPM_KERNEL SurfaceTilt<T> surfaceTilt(const Modes<T>& x, const Modes<T>& w)
 {
@@ -44,9 +45,10 @@ FPM_KERNEL SurfaceTilt<T> surfaceTilt(const Modes<T>& x, const Modes<T>& w)
 }
 
 /// Rotation of the xi-eta middle surface over one step (the paper's fictitious reverse motion, eqs.
-/// 4-5, in its signed, projected form): returns K = R - I, where R takes the start of the step to
-/// its end. Everything is formed from the increments, never from differences of coordinates: float
-/// elements keep their stress. No trigonometry. The surface's corners are +-x1 +-x2 +-x4.
+/// (4) and (5), in their signed, projected form): returns K = R - I, where R takes the start of the
+/// step to its end. Everything is formed from the increments, never from differences of
+/// coordinates, so that elements in float keep their stress. No trigonometry. The corners of the
+/// surface are +-x1 +-x2 +-x4.
 template <class T>
 FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
 {
@@ -56,7 +58,8 @@ FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
     const Mat3<T>& tilt = surface.tilt;
     const Vec3<T>& n = surface.normal;
 
-    // In plane: least-squares angle between the tilted old corner vectors and the new ones.
+    // In plane, eq. (5): least-squares angle between the tilted old corner vectors and the new
+    // ones.
     T sine = T(ScalarOf<T>(0)), cosineSum = T(ScalarOf<T>(0));
     for (const int m : {1, 2, 4}) {
         const Vec3<T> before = a[m] - d[m];
@@ -64,7 +67,7 @@ FPM_KERNEL Mat3<T> midSurfaceRotation(const Modes<T>& x, const Modes<T>& w)
         const Vec3<T> tilted = a[m] - change;
         sine += dot(n, cross(a[m], change)); // tilted x a = (a - change) x a = a x change
         cosineSum += dot(tilted, a[m]);
-        // x1 and x2 lie in the plane; the part of x4 along the normal (warp) tells no angle.
+        // x1 and x2 lie in the plane; the part of x4 along the normal (warp) has no angle.
         if (m == 4) cosineSum = fusedMultiplyAdd(-dot(n, tilted), dot(n, a[m]), cosineSum);
     }
     const T scale = one / squareRoot(fusedMultiplyAdd(sine, sine, cosineSum * cosineSum));

@@ -25,13 +25,13 @@ FPM_KERNEL Angle<T> meanAngle(const Angle<T>& a, const Angle<T>& b)
     return {half * sine / halfCosine, halfCosine};
 }
 
-/// The paper's eqs. (4) and (5) as they are printed: the angles are arcsines of lengths of cross
-/// products, the in-plane one the mean over the four corners. Literal are the missing sign (the
-/// reverse turn is always about +n'': right for a body that turns clockwise, twice as wrong for one
-/// that turns the other way, spurious where a stretch turns corners to both sides), the ambiguity
-/// beyond a right angle, and the cross products that are not projected into the middle plane. Not
-/// literal is only the arithmetic: an arcsine is kept as its sine and non-negative cosine, and the
-/// mean of four is formed exactly by half angles, twice. Returns R - I like midSurfaceRotation.
+/// Eqs. (4) and (5) of the paper as printed: the angles are arcsines of lengths of cross products,
+/// the in-plane one their mean over the four corners. Kept as printed are the missing sign (the
+/// reverse rotation is always about +n'': right for a body that turns clockwise, twice as wrong for
+/// one that turns the other direction, spurious where a stretch turns corners to both sides), the
+/// ambiguity beyond a right angle, and the cross products that are not projected into the middle
+/// plane. Only the arithmetic differs: an arcsine is kept as its sine and non-negative cosine, and
+/// the mean of four is formed exactly by half angles, twice. Returns R - I like midSurfaceRotation.
 template <class T>
 FPM_KERNEL Mat3<T> arcsineRotation(const Modes<T>& x, const Modes<T>& w)
 {
@@ -119,9 +119,9 @@ FPM_KERNEL SpinRotation<T> hughesWingetRotation(const Modes<T>& middle, const Mo
     return spinRotation((T(Real(0.25)) / b.volume64) * a);
 }
 
-/// What is left of a step when the rotation is taken out, by the part's rule: `w` becomes the
-/// increment without rotation (Hughes and Winget: with the spin, which no strain sees), in the axes
-/// of the end of the step, and `middle` the geometry where the strain is measured. Returns R - I.
+/// Removes the rotation from a step by the part's rule: `w` becomes the increment without rotation
+/// (Hughes and Winget: with the spin, which causes no strain), in the axes of the end of the step,
+/// and `middle` the geometry where the strain is measured. Returns R - I.
 template <class T>
 FPM_KERNEL Mat3<T> removeRotation(
     RotationRule rule, ScalarOf<T> strainPoint, const Modes<T>& x, Modes<T>& w, Modes<T>& middle)

@@ -6,7 +6,7 @@ namespace fpm {
 
 inline constexpr int selectivePoints = 8;
 
-/// Modes with the coordinates of the Gauss points, +-1/sqrt(3), taken into them: what follows knows
+/// Modes multiplied by the coordinates of the Gauss points, +-1/sqrt(3): the functions below need
 /// signs only.
 template <class T>
 FPM_KERNEL Modes<T> gaussModes(const Modes<T>& x)
@@ -64,7 +64,7 @@ FPM_KERNEL T largestRow(const Mat3<T>& c)
                    maximum(dot(c.y, c.y) + xy + yz, dot(c.z, c.z) + yz + zx));
 }
 
-/// Corner forces of the deviators, gathered as modes in the places of gaussModes and 512 times too
+/// Corner forces of the deviators, summed as modes in the places of gaussModes, 512 times too
 /// large.
 template <class T>
 FPM_KERNEL void addPointForce(Modes<T>& force,
@@ -85,7 +85,7 @@ FPM_KERNEL void addPointForce(Modes<T>& force,
     f[7] += multiplyAdd(at.zeta, twist, (at.xi * at.eta) * t3);
 }
 
-/// What the points of an element add up over a step.
+/// Sums over the Gauss points of an element in one step.
 template <class T>
 struct PointSums {
     Modes<T> force;
@@ -177,9 +177,9 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
     return T(Real(0.5)) * mass / stiffness;
 }
 
-/// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` loads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, step: what
-/// accumulates there).
+/// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` reads and
+/// stores the state of each Gauss point: load(point, state), store(point, state, step: increments
+/// of the accumulated values).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,
                                           const Modes<T>& x,

@@ -7,34 +7,33 @@
 
 namespace fpm {
 
-/// Element values lie in tiles of so many elements: one run of memory for all that a batch of
-/// elements needs of a quantity, at known distances.
+/// Element values lie in tiles of this many elements: the values of a quantity for a batch of
+/// elements are contiguous, at constant strides.
 inline constexpr Index tileWidth = 16;
 
-/// Place of value 0 of local element e of a quantity with n values; the others follow tileWidth
-/// apart.
+/// Index of value 0 of local element e of a quantity with n values; the others follow at stride
+/// tileWidth.
 FPM_KERNEL constexpr std::size_t inTiles(Index e, int n)
 {
     return std::size_t(e / tileWidth * tileWidth) * std::size_t(n) + std::size_t(e % tileWidth);
 }
 
-/// Likewise of value `i` of a row of tiles of floats that begins where value `first` of a quantity
-/// of doubles does; `place`: of value 0 of that quantity. In floats.
+/// Index, in floats, of value `i` of a row of float tiles that begins where value `first` of a
+/// quantity of doubles does; `place`: index of value 0 of that quantity.
 FPM_KERNEL constexpr std::size_t inFloatTiles(std::size_t place, int first, int i)
 {
     const std::size_t inTile = place % tileWidth;
     return 2 * (place - inTile) + inTile + std::size_t(2 * first + i) * tileWidth;
 }
 
-/// How the state of one element of a part is kept: so many values in the working type, each of them
-/// a tile of its patch, in the order stress of every integration point, backstress of every one,
-/// hourglass forces, which may be floats, two tiles of them in the place of one; and in the type of
-/// sums the plastic strain of every point, then its rise of temperature. Elements carry no value
-/// that their part has no use for. A deleted element (Deletion.h) keeps its energy in the place of
-/// its first stress.
+/// Layout of the state of one element of a part. In the working type, one tile per value: the
+/// stress of every integration point, the backstress of every one, the hourglass forces (as floats
+/// two tiles share the memory of one). In the type of sums: the plastic strain of every point, then
+/// its temperature rise. No memory is spent on values that the part does not use. A deleted element
+/// (Deletion.h) keeps its energy in its first stress value.
 struct StateLayout {
-    int points;    ///< integration points, 0 for a part without element work
-    int hourglass; ///< generalised forces kept
+    int points;    ///< integration points, 0 for a part without elements to compute
+    int hourglass; ///< number of hourglass forces
     bool plastic;  ///< keeps plastic strain, also where elements may be deleted
     bool kinematic = false;
     bool heats = false;

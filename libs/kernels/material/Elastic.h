@@ -4,8 +4,8 @@
 
 namespace fpm {
 
-/// Isotropic linear elasticity: stress + lambda tr(e) I + 2 mu e (method of the part model
-/// `elastic`; no plastic state is kept).
+/// Isotropic linear elasticity, eq. (7) of the paper: stress + lambda tr(e) I + 2 mu e (part model
+/// `elastic`; no plastic state is stored).
 template <class T>
 FPM_KERNEL Sym3<T>
 elasticStress(const MaterialConstants<ScalarOf<T>>& m, const Sym3<T>& stress, const Sym3<T>& strain)

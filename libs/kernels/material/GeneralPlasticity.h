@@ -11,11 +11,11 @@ namespace fpm {
 /// all but extreme exponents (GeneralPlasticityTest).
 inline constexpr int returnIterations = 10;
 
-/// Plastic strain increment d > 0 of trial - stiffness d = theta S(ebar + d) R(d / step) where the
-/// right side is a curve: Newton's method for z = ln d. The left side less the right one falls
+/// Plastic strain increment d > 0 of trial - stiffness d = theta S(ebar + d) R(d / step) on a
+/// curved right side: Newton's method for z = ln d. The left side less the right side decreases
 /// with z and is concave for every law here (e^z, e^(nz), e^(z/p) and max(z, z0) are convex), so
-/// that the iterates come down from an upper bound without ever passing the root. The rate is that
-/// of this very step: nothing lags behind, nothing is smoothed.
+/// that the iterates decrease from an upper bound without passing the root. The rate is that of the
+/// same step: nothing lags, nothing is smoothed.
 template <class T>
 FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
                         const FlowPoint<T>& point,
@@ -39,8 +39,8 @@ FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
         z = select(alone < z, alone, z);
     }
     if (g.powerModulus > Real(0)) {
-        // With the power law alone (e + d)^n = e^n + ..., where the root is no difference of
-        // equals: at first yield its slope has no end.
+        // With the power law alone (e + d)^n = e^n + ..., where the root is no difference of nearly
+        // equal numbers: at first yield its slope is infinite.
         const T n = T(g.powerExponent), e = maximum(point.plasticStrain, zero);
         const T grown = power(e, n) + (trial - slow) / (softening * T(g.powerModulus));
         const T sum = power(grown, T(Real(1) / g.powerExponent));
@@ -65,7 +65,8 @@ FPM_KERNEL T rateReturn(const MaterialConstants<ScalarOf<T>>& m,
     return exponential(z);
 }
 
-/// The same for a table without rate: exact for each linear piece, as in radialReturn.
+/// Plastic strain increment for a table without rate: exact for each linear piece, as in
+/// radialReturn.
 template <class T>
 FPM_KERNEL T tableReturn(const MaterialConstants<ScalarOf<T>>& m,
                          const FlowPoint<T>& point,
@@ -88,11 +89,11 @@ FPM_KERNEL T tableReturn(const MaterialConstants<ScalarOf<T>>& m,
     return maximum(increment, zero);
 }
 
-/// Takes the elastic trial stress to the yield surface of the part's law,
+/// Radial return of the elastic trial stress to the yield surface of the part's law,
 ///     sqrt(3/2) |s - a| = theta(T) S(ebar) R(rate),
-/// by radial return on s - a (Simo and Hughes, box 3.1): the backstress a follows Prager's linear
-/// rule. The temperature is that of the start of the step. `bending` as in radialReturn; what a
-/// section in bending can bear does not move with the backstress.
+/// on s - a (Simo and Hughes, box 3.1): the backstress a follows Prager's linear rule. The
+/// temperature is that of the start of the step. `bending` as in radialReturn; the bending capacity
+/// of a section does not move with the backstress.
 template <class T>
 FPM_KERNEL PlasticStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
                                         const FlowPoint<T>& point,

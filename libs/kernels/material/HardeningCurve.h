@@ -11,8 +11,9 @@ struct YieldStress {
     T value, slope;
 };
 
-/// Slow, cold yield stress at an equivalent plastic strain: the table (piecewise linear, its last
-/// slope continues) plus B e^n (Johnson and Cook's A is the table's only row).
+/// Quasi-static yield stress at the reference temperature and an equivalent plastic strain: the
+/// table (piecewise linear, its last slope continues) plus B e^n (A of Johnson and Cook is the only
+/// row of the table).
 template <class T>
 FPM_KERNEL YieldStress<T> hardeningCurve(const MaterialConstants<ScalarOf<T>>& m, const T& strain)
 {
@@ -26,7 +27,7 @@ FPM_KERNEL YieldStress<T> hardeningCurve(const MaterialConstants<ScalarOf<T>>& m
     }
     value = fusedMultiplyAdd(slope, strain - from, value);
     if (m.general.powerModulus > Real(0)) {
-        // Where the strain is nothing the slope has no end: held at that of a strain of 1e-12.
+        // At zero strain the slope is infinite: it is taken at a strain of 1e-12.
         const T held = maximum(strain, T(Real(1e-12)));
         const T powered = T(m.general.powerModulus) * power(strain, T(m.general.powerExponent));
         value += powered;

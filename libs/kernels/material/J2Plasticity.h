@@ -5,13 +5,13 @@
 
 namespace fpm {
 
-/// Radial return: takes the elastic trial stress to the yield surface sqrt(3 J2) = sigma_y(ebar)
-/// (Simo and Hughes; in the paper's variables ||s|| = sqrt(2/3) sigma_y). Exact for each linear
-/// piece: q_tr - 3 mu d = sigma_y + H (ebar + d - strain). Stress is changed in place.
-/// `bending`: equivalent bending stress q_b of the section (PhysicalHourglass), 0 for none. Yield
-/// is then the limit surface of a solid section, (q / sigma_y)^2 + q_b / sigma_y = 1, which the
-/// stress (q_b + sqrt(q_b^2 + 4 q^2)) / 2 measures; membrane and bending are reduced by the same
-/// share, which flowOfSection then corrects.
+/// Radial return of the elastic trial stress to the yield surface sqrt(3 J2) = sigma_y(ebar) (Simo
+/// and Hughes); eq. (8) of the paper in other variables, ||s|| = kappa = sqrt(2/3) sigma_y. Exact
+/// for each linear piece: q_tr - 3 mu d = sigma_y + H (ebar + d - strain). Stress is changed in
+/// place. `bending`: equivalent bending stress q_b of the section (PhysicalHourglass), 0 for none.
+/// Yield is then the limit surface of a solid section, (q / sigma_y)^2 + q_b / sigma_y = 1, with
+/// the equivalent stress (q_b + sqrt(q_b^2 + 4 q^2)) / 2; membrane and bending are reduced by the
+/// same factor, which flowOfSection then corrects.
 template <class T>
 FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
                                        const T& plasticStrain,
@@ -22,7 +22,7 @@ FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
     const T zero = T(Real(0));
     const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
     const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
-    // The smallest normal number keeps 0/0 away where there is no stress at all.
+    // The smallest normal number avoids 0/0 where there is no stress.
     const T tiny = T(Real(1e-30));
     const T square = fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny);
     const T trial =
@@ -40,7 +40,7 @@ FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
     }
     increment = maximum(increment, zero);
 
-    // Subtracting keeps an elastic stress as it is, to the last bit.
+    // Subtraction leaves an elastic stress unchanged to the last bit.
     const T reduction = T(m.threeMu) * increment / trial;
     s = s + (-reduction) * deviator;
     return {increment, (T(Real(1)) - reduction) * increment * (square / trial), reduction};

@@ -7,13 +7,13 @@ namespace fpm {
 inline constexpr int maxHardeningRows = 32;
 inline constexpr int maxLawConstants = 12;
 
-/// How the rigid rotation of a step is found; the values are those of the dictionary's words.
+/// Rule for the rigid rotation of a step; the values are those of the dictionary's words.
 enum class RotationRule : int { midSurface, arcsine, polar, hughesWinget };
 
-/// How the yield stress follows the plastic strain rate.
+/// Dependence of the yield stress on the plastic strain rate.
 enum class RateLaw : int { none, cowperSymonds, logarithmic };
 
-/// What only GeneralPlasticity reads: options that a part may choose at run time; all zero: none.
+/// Constants that only GeneralPlasticity reads: options of a part at run time; all zero: none.
 template <class Work>
 struct GeneralConstants {
     RotationRule rotation;
@@ -22,7 +22,8 @@ struct GeneralConstants {
     RateLaw rateLaw;
     Work referenceRate;   ///< D of Cowper and Symonds, rate0 of Johnson and Cook
     Work rateCoefficient; ///< 1/p, or C
-    Work heatPerWork;     ///< share of plastic work over specific heat; 0: no temperature is kept
+    Work heatPerWork;     ///< fraction of plastic work over specific heat; 0: no temperature is
+                          ///< stored
     Work temperature;     ///< at the start
     Work softeningExponent, roomTemperature; ///< m of 1 - T*^m; 0: no softening
     Work inverseMeltingRange;                ///< 1 / (melting - room temperature)
@@ -52,7 +53,7 @@ struct GeneralConstants {
     }
 };
 
-/// What the kernels need to know of one part's material and element options, in its working type.
+/// Constants of one part's material and element options in its working type.
 template <class Work>
 struct MaterialConstants {
     Work lambda, twoMu, threeMu;
@@ -60,7 +61,7 @@ struct MaterialConstants {
     Work young, poisson;
     Work linearViscosity, quadraticViscosity;
     Work hourglass;        ///< coefficient of the chosen form
-    Work coupledHourglass; ///< 1: physical form yields with the section; 0: stays elastic
+    Work coupledHourglass; ///< 1: the physical form yields with the section; 0: it stays elastic
     int rows;              ///< of the hardening table, 0: never yields
     bool floatHourglass;   ///< hourglass forces are kept as floats (StateLayout)
     Work strain[maxHardeningRows], stress[maxHardeningRows], slope[maxHardeningRows];

@@ -4,14 +4,14 @@
 
 namespace fpm {
 
-/// What is left of the trial forces of a section that stretches and bends at once.
+/// Result of the return mapping of a section that stretches and bends at once.
 template <class T>
 struct SectionFlow {
-    T bendingKept; ///< share of the trial bending
+    T bendingKept; ///< fraction of the trial bending that remains
     T bendingWork; ///< plastic work of the bending per volume
 };
 
-/// Mises stress that measures stretch and bending on the limit surface of a solid section: the
+/// Equivalent stress of stretch and bending on the limit surface of a solid section: equals the
 /// yield stress on (stretch / yield)^2 + bending / yield = 1.
 template <class T>
 FPM_KERNEL T sectionStress(const T& stretch, const T& bending)
@@ -22,7 +22,7 @@ FPM_KERNEL T sectionStress(const T& stretch, const T& bending)
               + squareRoot(fusedMultiplyAdd(bending, bending, T(Real(4)) * stretch * stretch)));
 }
 
-/// `to` + share `direction` where `mask` is set.
+/// `to` plus fraction `direction` where `mask` is set.
 template <class Mask, class T>
 FPM_KERNEL Sym3<T>
 moved(const Mask& mask, const Sym3<T>& to, const T& share, const Sym3<T>& direction)
@@ -36,15 +36,15 @@ moved(const Mask& mask, const Sym3<T>& to, const T& share, const Sym3<T>& direct
 }
 
 /// Associated flow on the limit surface n^2 + m = 1 of a solid section, n = q / sigma_y of the
-/// stress and m = q_b / sigma_y of the bending: the plastic curvature is to the plastic stretch as
-/// 1 to 2 n, so that the neutral axis lies where that of the section does, and off its edge (m = 0)
-/// no bending is left. Then layers of elements bear the plastic moment of the whole, however many.
-/// `plastic` and `s` come from the radial return, which has reduced both by the same share: it
-/// fixes sigma_y, this the point on the surface. With p the flow, n = n_tr / (1 + p) and
-/// m = m_tr - k p, k = (stiffness of the bending) / (6 mu + 2 H). `bendingEnergy`: twice the
-/// elastic energy of the trial bending per volume. `kinematic`: modulus H of the backstress, 0 for
-/// none; the stress is then measured from the backstress, and both move. Bending keeps no
-/// backstress.
+/// stress and m = q_b / sigma_y of the bending: the ratio of plastic curvature to plastic stretch
+/// is 1 to 2 n, so that the neutral axis lies where that of the section does; at the end m = 0 no
+/// bending remains. Then layers of elements carry the plastic moment of the whole section, whatever
+/// their number. `plastic` and `s` come from the radial return, which has reduced both by the same
+/// factor: it determines sigma_y, this function the point on the surface. With p the flow, n = n_tr
+/// / (1 + p) and m = m_tr - k p, k = (stiffness of the bending) / (6 mu + 2 H). `bendingEnergy`:
+/// twice the elastic energy of the trial bending per volume. `kinematic`: modulus H of the
+/// backstress, 0 for none; the stress is then measured from the backstress, and both change.
+/// Bending has no backstress.
 template <class T>
 FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
                                         const T& bending,
@@ -69,8 +69,8 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
     const T n = q / yield, bend = bending / yield;
     const T k = bending * bending / (T(Real(2) * stiffness) * bendingEnergy + tiny);
 
-    // The overstress falls with p and is convex: Newton's method comes from below. What three
-    // rounds leave of it is removed radially.
+    // The overstress decreases with p and is convex: Newton's method converges from below. The rest
+    // after three iterations is removed radially.
     T p = zero;
     for (int round = 0; round < 3; ++round) {
         const T g = one / (one + p), stretch = n * g;
@@ -83,7 +83,7 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
     const T stretchKept = select(inside, g * fit, one / n);
     const T bendingKept = select(flows, select(inside, left * fit / (bend + tiny), zero), one);
 
-    // An elastic stress stays as it is, to the last bit, whatever its neighbours in a batch do.
+    // An elastic stress stays unchanged to the last bit, whatever the other lanes of its batch do.
     const T change = stretchKept * inverseKept - one;
     s = moved(flows, s, T(m.threeMu / stiffness) * change, deviator);
     const T strain = (one - stretchKept) * q * T(Real(1) / stiffness);

@@ -5,8 +5,9 @@
 
 namespace fpm {
 
-/// Johnson and Cook 1983: 1 - T*^m, T* = (T - room) / (melting - room) between 0 and 1. A molten
-/// material keeps a millionth of its strength. `rise`: of the temperature since the start.
+/// Thermal softening of Johnson and Cook 1983: 1 - T*^m, T* = (T - room) / (melting - room) between
+/// 0 and 1. A molten material keeps a millionth of its strength. `rise`: of the temperature since
+/// the start.
 template <class T>
 FPM_KERNEL T thermalSoftening(const GeneralConstants<ScalarOf<T>>& m, const T& rise)
 {

@@ -8,16 +8,16 @@ namespace fpm {
 
 enum class ConditionKind : std::int32_t { displacement, velocity, rotation, load, pressure };
 
-/// What drives or loads nodes on the device: a path or a force times amplitude(t).
+/// Prescribed motion or load of nodes on the device: a path or a force times amplitude(t).
 struct Condition {
     ConditionKind kind;
-    std::int32_t smooth; ///< rows joined by tau^3 (10 - 15 tau + 6 tau^2) instead of lines
+    std::int32_t smooth; ///< rows are joined by tau^3 (10 - 15 tau + 6 tau^2) instead of linearly
     Index firstRow, rowCount;
     double value[3]; ///< load: force of weight 1; pressure: the pressure; rotation: degrees
 };
 
-/// A condition at one node. Drives: along `axis` of the node's axes, the path is
-/// first * a(t) + second * b(t), see pathAt. Loads: axis -1, weight `first`.
+/// Condition at one node. Prescribed motion: along `axis` of the node's axes, the path is first *
+/// a(t) + second * b(t), see pathAt. Loads: axis -1, weight `first`.
 struct ConditionUse {
     Index condition;
     std::int32_t axis;
@@ -38,8 +38,8 @@ FPM_KERNEL double amplitudeAt(const Condition& condition, const double* rows, do
     return row[2 * i - 1] + s * (row[2 * i + 1] - row[2 * i - 1]);
 }
 
-/// Way a driven component has made at `time`: u(t), or that of a point turned about an axis,
-/// s sin(angle) + k (1 - cos(angle)), s and k the point's arm turned once and twice by 90 degrees.
+/// Prescribed displacement u(t) of a component at `time`, or that of a point rotated about an axis,
+/// s sin(angle) + k (1 - cos(angle)), s and k the lever arm rotated once and twice by 90 degrees.
 FPM_KERNEL double
 pathAt(const Condition& condition, const ConditionUse& use, const double* rows, double time)
 {
@@ -49,8 +49,8 @@ pathAt(const Condition& condition, const ConditionUse& use, const double* rows, 
     return use.first * turn.sine + use.second * turn.versine;
 }
 
-/// Velocity of a driven component over a step: exact tracking of a path, or the velocity at its
-/// middle.
+/// Prescribed velocity of a component over a step: follows a path exactly, or takes the velocity at
+/// mid-step.
 FPM_KERNEL double drivenVelocity(const Condition& condition,
                                  const ConditionUse& use,
                                  const double* rows,
@@ -83,7 +83,7 @@ amplitudeIntegralFromFirstRow(const Condition& condition, const double* rows, do
     return sum + (time - row[2 * last]) * row[2 * last + 1];
 }
 
-/// Way a driven set has made since time 0, in units of the condition's value.
+/// Prescribed displacement of a node set since time 0, in units of the condition's value.
 FPM_KERNEL double travelAt(const Condition& condition, const double* rows, double time)
 {
     if (condition.kind != ConditionKind::velocity) return amplitudeAt(condition, rows, time);

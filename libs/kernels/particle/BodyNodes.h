@@ -4,13 +4,13 @@
 
 namespace fpm {
 
-/// A run of nodes of one body that may feel forces, at most nodeBlock.
+/// Consecutive nodes of one body on which forces may act, at most nodeBlock.
 struct BodyBlock {
     Index body, first, count; ///< in the list of loaded body nodes
 };
 
-/// Contact force and moment, load force and moment about the centre, then the contact springs'
-/// stiffness over the body's mass as the node feels it.
+/// Contact force and moment, load force and moment about the centre, then the stiffness of the
+/// contact springs over the effective mass of the body at the node.
 inline constexpr int bodySums = 13;
 
 constexpr std::size_t bodyScratch()
@@ -63,8 +63,9 @@ private:
     }
 };
 
-/// Adds up the blocks of a body, and loads that act on it as a whole (gravity): its forces at the
-/// clock's time, and the bound of its contact springs, 2 sum k / m: all springs share one mass.
+/// Sums the blocks of a body and the loads that act on the whole body (gravity): its forces at the
+/// clock's time, and the bound of its contact springs, 2 sum k / m, since all springs share one
+/// mass.
 struct BodySum {
     RigidBody* bodies;
     const Index* blockStart; ///< blocks of a body: consecutive
@@ -114,7 +115,7 @@ private:
     }
 };
 
-/// Puts the nodes of the bodies where their body is; velocities are the way over the step.
+/// Moves the nodes of the bodies with their body; velocities are displacement increment over step.
 template <class Numbers>
 struct BodyMotion {
     const Index* list; ///< nodes of all bodies

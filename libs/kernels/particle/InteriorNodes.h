@@ -8,13 +8,24 @@
 
 namespace fpm {
 
-/// Bits of the array `fixed` beside 0..2 (component held at zero velocity): a rigid body moves the
-/// node; NodeMotion moves it, not the one patch that it belongs to; every component of its motion
-/// is held or driven, so that no spring can disturb it.
-inline constexpr std::uint8_t bodyNode = 8, listedNode = 16, imposedNode = 32;
+/// Bits of a node in the array `fixed`.
+enum FixedBit : std::uint8_t {
+    heldX = 1, ///< component 0, in the node's axes, is held at zero velocity
+    heldY = 2,
+    heldZ = 4,
+    heldComponents = heldX | heldY | heldZ,
+    bodyNode = 8,     ///< a rigid body moves the node
+    listedNode = 16,  ///< NodeMotion moves it, not the one patch that has it
+    imposedNode = 32, ///< every component is held or prescribed: no contact spring can move it
+};
+/// The bit of component c.
+FPM_KERNEL constexpr FixedBit heldComponent(int c)
+{
+    return FixedBit(heldX << c);
+}
 
-/// Advances nodes of one patch alone, on which nothing acts but its elements: what NodeMotion does
-/// for them, to the last bit, but in the patch's kernel, which has them at hand.
+/// Advances nodes of a single patch on which only element forces act: the same as NodeMotion, to
+/// the last bit, but within the patch's kernel, which has the nodes in fast memory.
 template <class Numbers>
 struct InteriorNodes {
     using Position = typename Numbers::Position;
@@ -24,12 +35,12 @@ struct InteriorNodes {
     Position* position; ///< three planes, nodeStride apart
     Motion* velocity;
     const Motion* inverseMass;
-    const std::uint8_t* fixed; ///< nodes with any bit stay as they are
+    const std::uint8_t* fixed; ///< nodes with any FixedBit stay unchanged
     std::size_t nodeStride;
-    Work* force; ///< internal, in planes of their own: only of nodes of one patch
+    Work* force; ///< internal force in planes of its own: only of nodes of one patch
     std::size_t forceStride;
 
-    /// Nodes first ... first + count - 1.
+    /// Advances nodes first ... first + count - 1.
     template <class Team>
     FPM_KERNEL void
     advance(const Team& team, std::size_t first, Index count, const StepClock& clock) const

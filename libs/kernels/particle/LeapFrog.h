@@ -4,9 +4,10 @@
 
 namespace fpm {
 
-/// v^(n+1/2) of one component: [(1 - xi h/2) v^(n-1/2) + h F^n / m] / (1 + xi h/2), h the mean of
-/// the two steps. With constant step and x^(n+1) = x^n + dt v^(n+1/2) this is eq. (3) of the paper,
-/// d^(n+1) = c1 dt^2/m F + 2 c1 d^n - c2 d^(n-1), without its loss of digits.
+/// Central differences, eq. (3) of the paper, as a leapfrog: v^(n+1/2) of one component is [(1 - xi
+/// h/2) v^(n-1/2) + h F^n / m] / (1 + xi h/2), h the mean of the two steps. With constant step and
+/// x^(n+1) = x^n + dt v^(n+1/2) this equals d^(n+1) = c1 dt^2/m F + 2 c1 d^n - c2 d^(n-1) without
+/// its loss of digits.
 template <class Real>
 FPM_KERNEL Real leapFrogVelocity(Real velocity, Real force, Real inverseMass, Real h, Real damping)
 {

@@ -29,8 +29,9 @@ constexpr std::size_t nodeScratch()
     return nodeWorks * nodeBlock * sizeof(double) + blockSumScratch(nodeWorks);
 }
 
-/// Sums the forces of a node in one fixed order and advances it by one step (the particle solver of
-/// the paper): element partial sums in patch order, contact, loads, mass damping, constraints.
+/// Equation of motion of a node, eq. (1) of the paper: sums its forces in one fixed order (element
+/// partial sums in patch order, contact, loads, mass damping, constraints) and advances it by one
+/// step, eq. (3).
 template <class Numbers>
 struct NodeMotion {
     using Position = typename Numbers::Position;
@@ -44,13 +45,13 @@ struct NodeMotion {
     const Motion* inverseMass;
     std::size_t nodeStride;
     const Work* interiorForce;     ///< of the elements, three planes: nodes of one patch
-    std::size_t interiorEnd;       ///< how far the planes are apart: no such node from here on
-    std::size_t firstBoundaryNode; ///< all before it are such nodes
-    const Index* partialSumsStart; ///< partial sums of the others, a patch each: CSR from there on
+    std::size_t interiorEnd;       ///< end of those nodes, and distance between the planes
+    std::size_t firstBoundaryNode; ///< all nodes before it are such nodes
+    const Index* partialSumsStart; ///< partial sums of the other nodes, one per patch: CSR
     const Index* partialSums;
-    const Work* partialForce;  ///< x y z each
-    const std::uint8_t* fixed; ///< bits 0..2: component held at zero velocity; bodyNode: left alone
-    const Index* contactNode;  ///< number among the contact nodes, -1; null without contact
+    const Work* partialForce;         ///< x y z each
+    const std::uint8_t* fixed;        ///< FixedBit: held components and body nodes
+    const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
     const Index* conditionStart; ///< uses of a node: CSR; null without conditions
@@ -64,7 +65,8 @@ struct NodeMotion {
     const Motion* pressureForce;
     std::size_t pressureStride;
     Motion massDamping;
-    bool ledger;       ///< book the works (a scene without loads, drives, damping needs none)
+    bool ledger;       ///< sum the works (a scene without loads, prescribed motion and damping
+                       ///< needs none)
     double* blockWork; ///< [block][nodeWorks], running sums
     const StepClock* clock;
 
@@ -88,7 +90,7 @@ struct NodeMotion {
     }
 
     FPM_KERNEL Index nodeOf(Index entry) const { return list ? list[entry] : entry; }
-    /// The forces on a node lie where patches and pairs left them, at no foreseeable distance.
+    /// The forces on a node were written by patches and contact passes, at no constant stride.
     FPM_KERNEL void askForForces(Index number) const
     {
         const std::size_t node = std::size_t(number);
@@ -99,10 +101,10 @@ struct NodeMotion {
             prefetch(contactForce + 4 * std::size_t(contactNode[node]));
     }
 
-    /// xi of this step: the case's and that of dynamic relaxation.
+    /// Damping coefficient xi of this step: that of the case and that of dynamic relaxation.
     FPM_KERNEL Motion dampingRate() const { return massDamping + Motion(clock->damping); }
 
-    /// Internal force of the elements on a node (to be subtracted).
+    /// Internal force of the elements on a node, eq. (2) of the paper (to be subtracted).
     FPM_KERNEL Vec3<Motion> internalForce(std::size_t node) const
     {
         const Rows sums = partialSumsOf(node);
@@ -123,7 +125,7 @@ struct NodeMotion {
         return {Motion(contactScale.toForce(sum[0])), Motion(contactScale.toForce(sum[1])),
                 Motion(contactScale.toForce(sum[2]))};
     }
-    /// Stiffness of the contact springs at a node, as the bound of the step counts it.
+    /// Stiffness of the contact springs at a node as it enters the stability bound.
     FPM_KERNEL double contactStiffness(std::size_t node) const
     {
         if (!contactNode || contactNode[node] < 0) return 0;
@@ -134,7 +136,7 @@ struct NodeMotion {
         return {double(position[node]), double(position[nodeStride + node]),
                 double(position[2 * nodeStride + node])};
     }
-    /// Loads on a node at `time`; pressures are those of the present positions.
+    /// Loads on a node at `time`; pressures are those of the current positions.
     FPM_KERNEL Vec3<Motion> load(std::size_t node, double time) const
     {
         double sum[3] = {0, 0, 0};
@@ -155,17 +157,17 @@ struct NodeMotion {
         return total;
     }
 
-    /// True when component c of the node's motion, in its axes, is held or driven.
+    /// True when component c of the node's motion, in its axes, is fixed or prescribed.
     FPM_KERNEL bool imposed(std::size_t node, int c) const
     {
-        if ((fixed[node] >> c) & 1) return true;
+        if (fixed[node] & heldComponent(c)) return true;
         if (conditionStart)
             for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k)
                 if (uses[k].axis == c) return true;
         return false;
     }
 
-    /// Components in the node's axes of a vector in global ones, and back. True where they differ.
+    /// Transforms a vector from global to the node's axes, and back. True where the axes differ.
     template <class Real>
     FPM_KERNEL bool toOwnAxes(std::size_t node, Vec3<Real>& a) const
     {
@@ -184,7 +186,7 @@ struct NodeMotion {
     {
         return {velocity[node], velocity[nodeStride + node], velocity[2 * nodeStride + node]};
     }
-    /// Sets what is held or driven of a vector in global components to 0.
+    /// Sets the fixed and prescribed components of a vector in global axes to 0.
     FPM_KERNEL void removeImposed(std::size_t node, double (&a)[3]) const
     {
         Vec3<double> left{a[0], a[1], a[2]};
@@ -217,7 +219,7 @@ private:
                 {Real(m[6]), Real(m[7]), Real(m[8])}};
     }
 
-    /// Velocity imposed on component c over the coming step, if any.
+    /// Velocity prescribed for component c over the next step, if any.
     FPM_KERNEL bool driven(std::size_t node, int c, Motion& v) const
     {
         if (!conditionStart) return false;
@@ -255,7 +257,7 @@ private:
         }
     }
 
-    /// Next velocity of one component in the node's axes; books its works.
+    /// Next velocity of one component in the node's axes; accounts for its works.
     FPM_KERNEL Motion component(
         std::size_t node, int c, Motion in, Motion ct, Motion ex, Motion old, double* work) const
     {
@@ -263,7 +265,7 @@ private:
         const Motion xi = dampingRate();
         Motion v = leapFrogVelocity(old, force, inverse, h, xi);
         Motion imposed = 0;
-        const bool held = (fixed[node] >> c) & 1;
+        const bool held = fixed[node] & heldComponent(c);
         const bool drives = !held && driven(node, c, imposed);
         if (held || drives) v = imposed;
         if (!ledger) return v;
@@ -280,7 +282,7 @@ private:
         const double mass = inverse > 0 ? 1 / double(inverse) : 0;
         work[damping * nodeBlock] += double(h) * double(xi) * mass * mean * mean;
         if (!held && !drives) return v;
-        // Reaction of the drive: what is missing in m dv/dt = F - xi m v + R.
+        // Reaction of the prescribed motion: R of m dv/dt = F - xi m v + R.
         const double reaction =
             (double(v) - double(old)) * mass / double(h) - double(force) + double(xi) * mass * mean;
         work[driveBefore * nodeBlock] += reaction * before;

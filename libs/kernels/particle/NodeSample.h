@@ -69,9 +69,9 @@ private:
     }
 };
 
-/// Sums over a block of nodes: 1/2 m v^(n-1/2) . v^(n+1/2), the kinetic energy that belongs to the
+/// Sums over a block of nodes: 1/2 m v^(n-1/2) . v^(n+1/2), the kinetic energy that matches the
 /// internal energy at t^n (exact for constant step), and the half work F^n . dx^n / 2 of loads and
-/// drives that the ledger has not booked yet at t^n.
+/// prescribed motion that the energy balance does not yet contain at t^n.
 template <class Numbers>
 struct KineticEnergy {
     NodeMotion<Numbers> nodeMotion;

@@ -8,8 +8,9 @@
 namespace fpm {
 
 /// Forces of a pressure on the corners of one face, -p times the integral of N_I n dA over the
-/// bilinear face: its area vector is linear in xi and eta, so the integral is exact and a closed
-/// surface feels neither force nor moment. `x`: corners, counter-clockwise seen from outside.
+/// bilinear face: its area vector is linear in xi and eta, so the integral is exact and the
+/// resultant and moment on a closed surface are zero. `x`: corners, counter-clockwise seen from
+/// outside.
 template <class Real>
 FPM_KERNEL void pressureOnFace(const Vec3<Real> (&x)[4], Real pressure, Vec3<Real> (&force)[4])
 {
@@ -30,7 +31,7 @@ struct PressureForces {
     using Motion = typename Numbers::Motion;
 
     const Index* faceNode;      ///< [4 * face + corner]
-    const Index* faceCondition; ///< -1: none any more
+    const Index* faceCondition; ///< -1: none any longer
     const Condition* conditions;
     const double* amplitudeRows;
     const typename Numbers::Position* position;

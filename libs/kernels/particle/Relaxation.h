@@ -19,9 +19,9 @@ constexpr std::size_t relaxationScratch()
     return relaxationSums * nodeBlock * sizeof(double) + blockSumScratch(relaxationSums);
 }
 
-/// Dynamic relaxation (Underwood 1983), before the clock of a step: what the nodes know of the
-/// stiffness that the last step met, and how far they are from equilibrium. Contact counts like
-/// everything else that resists. Held and driven components take no part.
+/// Dynamic relaxation (Underwood 1983), before the clock of a step: estimates the stiffness in the
+/// direction of the last step, and the distance from equilibrium. Contact counts like all other
+/// resistance. Fixed and prescribed components take no part.
 template <class Numbers>
 struct RelaxationNodes {
     using Motion = typename Numbers::Motion;
@@ -82,8 +82,8 @@ private:
     }
 };
 
-/// The share of a free rigid body: its nodes are none of those above. Moments go with angular
-/// velocities, and are forces by the radius of gyration.
+/// The same sums for a free rigid body: its nodes are none of those above. Moments are paired with
+/// angular velocities, and divided by the radius of gyration to count as forces.
 FPM_KERNEL void addBody(RigidBody& body, double step, double* sums)
 {
     const Wrench now{withoutHeldTranslation(body, body.contact.force + body.outer.force),
@@ -100,16 +100,17 @@ FPM_KERNEL void addBody(RigidBody& body, double step, double* sums)
     body.last = now;
 }
 
-/// When a body is at rest under loads that are held.
+/// Conditions for a body at rest under constant loads.
 struct RelaxationRules {
     double tolerance = 0; ///< of the residual force, and of the square root of the kinetic share
-    double heldFrom = 0;  ///< time from which no load, drive, surface or forgiven depth changes
+    double heldFrom = 0;  ///< time from which no load, prescribed motion, surface or forgiven depth
+                          ///< changes
 };
 
-/// The damping of the coming step, twice the frequency that the Rayleigh quotient of the last step
-/// tells, so that the slowest mode left is damped critically. The run ends when residual and
-/// kinetic energy have been small for two radians of that mode: no turning point is mistaken for
-/// rest. One team.
+/// Damping of the next step, twice the frequency that follows from the Rayleigh quotient of the
+/// last step, so that the slowest remaining mode is damped critically. The run ends when residual
+/// and kinetic energy have been small for two radians of that mode: then no turning point is
+/// mistaken for rest. One team.
 struct RelaxationClock {
     const double* blockSum;
     Index blockCount;

@@ -73,11 +73,11 @@ FPM_KERNEL void turnQuaternion(double (&q)[4], const Vec3<double>& a)
     q[3] = scale * w;
 }
 
-/// Turns the body through one step at constant angular momentum: implicit midpoint rule for the
+/// Rotates the body through one step at constant angular momentum: implicit midpoint rule for the
 /// momentum in body axes, R <- R cay(dt omega), omega = J^-1 (L^n + L^(n+1)) / 2 (Austin,
-/// Krishnaprasad and Wang 1993). H = R L stays what it is and the energy L . J^-1 L / 2 is kept
-/// exactly; the error of the path is of second order. Fixed-point iterations gain a factor dt
-/// |omega| each.
+/// Krishnaprasad and Wang 1993). H = R L is unchanged and the energy L . J^-1 L / 2 is conserved
+/// exactly; the error of the path is of second order. Each fixed-point iteration gains a factor dt
+/// |omega|.
 FPM_KERNEL void turnBody(RigidBody& body, double dt)
 {
     if (body.turns == 0) return;
@@ -97,7 +97,7 @@ FPM_KERNEL void turnBody(RigidBody& body, double dt)
     turnQuaternion(body.q, a);
 }
 
-/// Momentum of the next half step: leapfrog with damping, then what is held set to 0.
+/// Momentum of the next half step: leapfrog with damping, then the fixed components set to 0.
 FPM_KERNEL double damped(double old, double force, double h, double damping)
 {
     return leapFrogVelocity(old, force, 1.0, h, damping);
@@ -123,7 +123,7 @@ FPM_KERNEL Vec3<double> withoutHeldTurns(const RigidBody& body, const Vec3<doubl
     return dot(h, body.axis) * body.axis;
 }
 
-/// Velocity and angular momentum after a kick over `h` by the forces of now.
+/// Velocity and angular momentum after an impulse over `h` of the current forces.
 FPM_KERNEL void kicked(
     const RigidBody& body, double h, double damping, Vec3<double>& velocity, Vec3<double>& momentum)
 {
@@ -159,8 +159,8 @@ FPM_KERNEL BodyEnergy bodyEnergy(const RigidBody& body, double step, double damp
             0.5 * step * (dot(body.outer.force, body.velocity) + dot(body.outer.moment, spin))};
 }
 
-/// One step of a body: kick with the forces of t^n, works as NodeMotion books them (moment times
-/// angular velocity, which makes their sum the change of kinetic energy), then the way.
+/// One step of a body: impulse of the forces of t^n, works as in NodeMotion (moment times angular
+/// velocity, so that their sum is the change of kinetic energy), then the motion.
 struct BodyStep {
     RigidBody* bodies;
     double massDamping;

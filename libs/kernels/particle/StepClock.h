@@ -7,14 +7,14 @@
 
 namespace fpm {
 
-/// Time and step of the run, in the memory of the device: no kernel argument changes between steps
-/// and nothing waits for the host.
+/// Time and step of the run in device memory: kernel arguments stay the same from step to step, and
+/// no step waits for the host.
 struct StepClock {
     double time = 0;             ///< t of the positions
-    double lost = 0;             ///< rounding of `time`, carried along (Kahan)
+    double lost = 0;             ///< rounding error of `time`, compensated (Kahan)
     double step = 0;             ///< step that led to the positions, dt^(n-1/2)
     double mean = 0;             ///< (dt^(n-1/2) + dt^(n+1/2)) / 2, for the velocity
-    double stop = 0;             ///< time that is hit exactly; then the clock stands still
+    double stop = 0;             ///< time that is met exactly; then the clock stands still
     double stableStep = 0;       ///< last bound from elements and contact, before the safety factor
     double elementStep = 0;      ///< last bound from elements alone
     double contactFrequency = 0; ///< last bound omega_c of the contact springs
@@ -24,10 +24,12 @@ struct StepClock {
     double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
     std::int64_t deletions = 0;                           ///< changes whenever elements are deleted
-    std::int64_t listsValidUntil = std::int64_t(1) << 62; ///< step up to which contact lists last
-    std::int32_t searched = 0;                            ///< 1: at the last look some searched
-    std::int32_t waits = 0;   ///< 1: for contact lists that the host has to make
-    std::int32_t running = 1; ///< 0: `stop` is reached or lists have to be made, nothing moves
+    std::int64_t listsValidUntil = std::int64_t(1) << 62; ///< step up to which contact lists are
+                                                          ///< valid
+    std::int32_t searched = 0;                            ///< 1: the last list check rebuilt some
+                                                          ///< lists
+    std::int32_t waits = 0;   ///< 1: waits for contact lists that the host has to rebuild
+    std::int32_t running = 1; ///< 0: `stop` is reached or lists have to be rebuilt, nothing moves
     std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
                               ///< step is beyond the bound; nothing moves
     std::int32_t settled = 0; ///< dynamic relaxation is done; nothing moves
@@ -42,15 +44,16 @@ struct StepClock {
 /// Rules of the step size, fixed for a run.
 struct StepRules {
     double safety = 0.9;       ///< of 2 / sqrt(omega_e^2 + omega_c^2)
-    double contactLimit = 0.5; ///< omega_c dt, so that a touch creates no energy
+    double contactLimit = 0.5; ///< omega_c dt, so that closing and opening contacts create no
+                               ///< energy
     double maximumStep = 0;    ///< > 0: no step is longer
     double fixedStep = 0;      ///< > 0: this step
-    bool beyondBound = false;  ///< which may exceed the bound
+    bool beyondBound = false;  ///< fixedStep may exceed the bound
     double growth = 1.1;       ///< largest ratio of successive steps
 };
 
-/// Chooses dt^(n+1/2) from the bounds of this step and moves the clock by it. A clock that stands
-/// still only judges them.
+/// Chooses dt^(n+1/2) from the bounds of this step and advances the clock by it. A clock that
+/// stands still only checks the bounds.
 FPM_KERNEL void
 advanceClock(StepClock& clock, const StepRules& rules, double elementStep, double contactSquare)
 {
@@ -75,7 +78,7 @@ advanceClock(StepClock& clock, const StepRules& rules, double elementStep, doubl
     if (rules.maximumStep > 0 && next > rules.maximumStep) next = rules.maximumStep;
     if (rules.fixedStep > 0) next = rules.fixedStep;
 
-    // Meet `stop` without a sliver of a last step.
+    // Avoid a tiny last step before `stop`.
     const double left = clock.stop - clock.time;
     if (left <= next * 1.000001)
         next = left;

@@ -26,7 +26,7 @@ std::string textOf(const char* file)
     return text.str();
 }
 
-/// Idle ticks of this machine. Nicer programs than ours give way; were we as nice, our own time
+/// Idle ticks of this machine. Nicer programs than ours yield to it; were we as nice, our own time
 /// would be among theirs.
 double idleTicksNow(const std::vector<int>& cores)
 {

@@ -17,7 +17,7 @@ int otherTasks(std::string_view loadAverage);
 std::vector<int> ownCores();
 
 /// Time that `cores` were idle and, with `countsNice`, worked for programs of low priority, from
-/// the text of /proc/stat [ticks]; negative where it does not tell of every one of them.
+/// the text of /proc/stat [ticks]; negative where it lacks one of them.
 double idleTicks(std::string_view stat, const std::vector<int>& cores, bool countsNice);
 
 /// Threads for so many cores that are idle or ours: `now` while that fits to half a core.
@@ -49,8 +49,8 @@ private:
     double seconds_ = 0, threadSeconds_ = 0;
 };
 
-/// What to tell before the start where `others` tasks run on the cores already: with how many
-/// threads a run that follows the idle cores begins, or that those asked for will wait for each
+/// Note before the start where `others` tasks run on the cores already: with how many
+/// threads a run that follows the idle cores begins, or that the requested ones will wait for each
 /// other. Empty where there are cores enough.
 std::string busyCoresNote(int threads, bool follows, int cores, int others);
 

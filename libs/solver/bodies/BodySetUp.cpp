@@ -168,7 +168,7 @@ void addBodies(SolverSetUp& data, const Model& model, const std::vector<Index>& 
             out.bodyOf[std::size_t(node)] = Index(out.bodies.size());
             out.nodes.push_back(node);
             out.arm.push_back(point(arm));
-            data.nodes.fixed[std::size_t(node)] = bodyNode | 7;
+            data.nodes.fixed[std::size_t(node)] = bodyNode | heldComponents;
             data.nodes.velocity[std::size_t(node)] = point(body.velocity + cross(spin, arm));
         }
         for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -4,7 +4,7 @@
 
 namespace fpm {
 
-/// What of the case's control the kernels ask, fixed for a run.
+/// Control values of the case that kernels read, fixed for a run.
 struct StepSettings {
     double massDamping = 0;
     bool midStepStrain = true;

@@ -10,7 +10,7 @@ namespace fpm {
 /// The nodes that contact acts on, all passes and their lists.
 struct ContactFields : FieldSet {
     ContactFields(const ContactSetUp& setUp, const Memory& memory, const NumberTypes& numbers);
-    /// Contact nodes of renewed surfaces, nothing remembered of the old ones.
+    /// Contact nodes of renewed surfaces, without values of the old ones.
     void renewNodes(const ContactSetUp& setUp);
     /// Lists of all passes that search faces; new ones.
     void renewLists(const NearBlocks& near);

@@ -20,8 +20,8 @@ public:
     virtual void clearCounts(std::size_t pass) = 0;
     /// Sums over the contactors, into PassFields::sums.
     virtual void sums(std::size_t pass) = 0;
-    /// Into PassFields::touch, see TouchSums.
-    virtual void touch(std::size_t pass) = 0;
+    /// Into PassFields::status, see StatusSums.
+    virtual void status(std::size_t pass) = 0;
     /// Distance of each contactor, into PassFields::gap.
     virtual void gaps(std::size_t pass) = 0;
 };

@@ -99,16 +99,16 @@ void ContactLists::makeLists(bool all)
     std::vector<PassListState> lists = fields_.lists.toHost();
     const NearBlocks::Positions now = positions();
     for (std::size_t place = 0; place < lists.size(); ++place) {
-        if (!all && !lists[place].whole) continue;
+        if (!all && !lists[place].rebuild) continue;
         ListFields& of = *fields_.passLists[place];
         launches_.search(of.number, false);
-        near_.arrange(place, now);
-        if (of.arrange(near_.passes()[place])) backend_.forgetSteps();
+        near_.rebuild(place, now);
+        if (of.rebuild(near_.passes()[place])) backend_.forgetSteps();
         shareAmongThreads(place);
         const std::int64_t searches = lists[place].searches + 1;
         lists[place] = {};
         lists[place].searches = searches;
-        lists[place].fresh = 1;
+        lists[place].rebuilt = 1;
     }
     fields_.lists.fromHost(lists);
 }

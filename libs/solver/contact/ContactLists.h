@@ -9,12 +9,12 @@
 
 namespace fpm {
 
-/// Verlet lists of contact: which face each contactor may touch, made anew when a list may not hold
-/// any more (ListCheck), at every step, or every so many steps.
+/// Verlet lists of contact: the faces that each contactor may meet, rebuilt when a list may have
+/// become invalid (ListCheck), at every step, or at a given interval.
 class ContactLists
 {
 public:
-    /// `interval`: steps between two searches, 0: as the lists last.
+    /// `interval`: steps between two searches, 0: by the list check.
     ContactLists(const SolverSetUp& setUp,
                  ContactFields& fields,
                  const NodeFields& nodes,
@@ -26,17 +26,18 @@ public:
     bool any() const { return when_ != When::never; }
     /// Searches in all passes as a whole, between steps.
     void searchNow();
-    /// Whether lists last for so many steps, where that is asked; part of what a graph records.
+    /// Checks whether lists stay valid for so many steps, where needed; part of what a graph
+    /// records.
     void check(Index steps);
     /// Where every step searches: now.
     void searchAtStep();
     /// Where an interval is given: searches if it is due. Returns how many of `steps` may follow.
     std::int64_t searchIfDue(std::int64_t done, std::int64_t steps);
-    /// Makes the lists that the clock waits for.
+    /// Rebuilds the lists that the clock waits for.
     void makeWaiting();
     /// Follows another set-up of the passes; what was counted stays.
     void renew();
-    /// Tells the threads of the force kernels where they have to lock.
+    /// Marks the blocks where threads of the force kernels need atomic additions.
     void shareAmongThreads();
 
     double seconds() const; ///< of checks and searches

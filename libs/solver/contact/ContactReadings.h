@@ -10,19 +10,19 @@ namespace fpm {
 /// forces on all nodes as contactors.
 struct PairForce {
     Point force{0, 0, 0}; ///< on the contactor
-    Index active = 0;     ///< contactors in touch, of both sides where both are
-    /// Since the start: contactors let go because they went too deep, and that left over a free
-    /// edge; searches that found a contactor inside, another face nearer than the one followed, and
-    /// more bodies in reach of a node than it can touch; lists used for longer than they lasted.
+    Index active = 0;     ///< contactors in contact, of both sides where both are
+    /// Since the start: contactors released because they went too deep, and that left over a free
+    /// edge; searches that found a contactor inside, a face nearer than the tracked one, and more
+    /// bodies within reach of a node than it has slots; lists used beyond their validity.
     std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0, late = 0;
     double spring = 0;                ///< recoverable energy of its springs
     double friction = 0, damping = 0; ///< dissipated since the start
 };
 
-/// How the contactors of a pair that are in touch stand to their targets, over all its passes.
-struct PairTouch {
+/// Contact status of a pair: of its contactors in contact, over all its passes.
+struct PairStatus {
     Index active = 0;
-    /// Of those in touch, forgiven overlaps included; of means a contactor on a plane of symmetry
+    /// Of those in contact, forgiven overlaps included; of means a contactor on a plane of symmetry
     /// counts half.
     double maxDepth = 0, meanDepth = 0;
     Index deepest = -1;      ///< node

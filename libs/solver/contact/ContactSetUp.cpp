@@ -118,20 +118,20 @@ bool differ(const std::vector<double>& stiffness)
 }
 
 /// On a plane of symmetry a surface does not end: its other half goes on there.
-void continueAtMirrors(ContactPassSetup& pair, const std::vector<MirrorPlane>& planes)
+void continueAtMirrors(ContactPassSetup& pass, const std::vector<MirrorPlane>& planes)
 {
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
         const Point& normal = planes[plane].normal;
-        pair.mirrorNormal.insert(pair.mirrorNormal.end(), normal.begin(), normal.end());
-        for (std::size_t edge = 0; edge < pair.neighbour.size(); ++edge) {
+        pass.mirrorNormal.insert(pass.mirrorNormal.end(), normal.begin(), normal.end());
+        for (std::size_t edge = 0; edge < pass.neighbour.size(); ++edge) {
             const std::size_t first = edge / 4 * 4;
             const auto lies = [&](std::size_t corner) {
-                return planes[plane].holds[std::size_t(pair.faceNode[first + corner % 4])];
+                return planes[plane].holds[std::size_t(pass.faceNode[first + corner % 4])];
             };
             // A face that lies in the plane as a whole has no edge that is its border.
-            if (pair.neighbour[edge] == freeEdge && lies(edge) && lies(edge + 1)
+            if (pass.neighbour[edge] == freeEdge && lies(edge) && lies(edge + 1)
                 && !(lies(edge + 2) && lies(edge + 3)))
-                pair.neighbour[edge] = mirrorEdge(Index(plane));
+                pass.neighbour[edge] = mirrorEdge(Index(plane));
         }
     }
 }

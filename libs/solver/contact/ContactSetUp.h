@@ -49,6 +49,6 @@ struct ContactSetUp {
 
 /// Completes a pass from its faces, their thickness and contactors: neighbours, faces around nodes,
 /// reach and cells.
-void addTopology(ContactPassSetup& pair, const std::vector<Point>& points);
+void addTopology(ContactPassSetup& pass, const std::vector<Point>& points);
 
 } // namespace fpm

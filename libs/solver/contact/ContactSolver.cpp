@@ -40,7 +40,7 @@ void ContactSolver::noteOverlaps(std::size_t number, const std::vector<float>& d
     const ContactPassSetup& pass = setUp_.contact.passes[number];
     PairOverlap& found = overlaps_[pass.pair];
     for (std::size_t i = 0; i < depths.size(); ++i) {
-        // A millionth of a face's width is touching, not overlapping.
+        // A millionth of a face's width is contact, not overlap.
         if (!(double(depths[i]) > 1e-6 * pass.meanFaceSize)) continue;
         ++found.count;
         if (double(depths[i]) <= found.deepest) continue;

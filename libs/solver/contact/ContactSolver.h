@@ -27,7 +27,7 @@ public:
 
     const ContactSetUp& setUp() const { return setUp_.contact; }
     PairForce force(std::size_t pair);
-    PairTouch touch(std::size_t pair);
+    PairStatus status(std::size_t pair);
     ContactBound bound() const;
     PairOverlap initialOverlap(std::size_t pair) const { return overlaps_[pair]; }
     /// Of each node that is a contactor with a target within reach: the distance to it, negative
@@ -42,7 +42,7 @@ public:
 private:
     void addUp();
     void noteOverlaps(std::size_t pass, const std::vector<float>& depths);
-    std::vector<double> touchOf(std::size_t pass);
+    std::vector<double> statusOf(std::size_t pass);
     std::vector<double> gapsOf(std::size_t pass);
 
     const SolverSetUp& setUp_;

@@ -58,38 +58,38 @@ void addTargetNodes(ContactPassSetup& out)
 }
 
 /// Largest distance between two corners of a face.
-double diagonalOf(const ContactPassSetup& pair, const std::vector<Point>& points, std::size_t face)
+double diagonalOf(const ContactPassSetup& pass, const std::vector<Point>& points, std::size_t face)
 {
     double diagonal = 0;
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = a + 1; b < 4; ++b)
-            diagonal = std::max(diagonal, lengthOf(points, pair.faceNode[4 * face + a],
-                                                   pair.faceNode[4 * face + b]));
+            diagonal = std::max(diagonal, lengthOf(points, pass.faceNode[4 * face + a],
+                                                   pass.faceNode[4 * face + b]));
     return diagonal;
 }
 
 } // namespace
 
-void addTopology(ContactPassSetup& pair, const std::vector<Point>& points)
+void addTopology(ContactPassSetup& pass, const std::vector<Point>& points)
 {
-    addNeighbours(pair, points);
-    addTargetNodes(pair);
-    pair.reach = 0.25 * pair.meanFaceSize;
+    addNeighbours(pass, points);
+    addTargetNodes(pass);
+    pass.reach = 0.25 * pass.meanFaceSize;
     double longest = 0, narrowest = 1e300, widest = 0;
-    for (std::size_t face = 0; face < pair.faceThickness.size(); ++face) {
-        const double diagonal = diagonalOf(pair, points, face),
-                     margin = std::max(pair.reach, 0.5 * (pair.faceThickness[face] + pair.reach));
+    for (std::size_t face = 0; face < pass.faceThickness.size(); ++face) {
+        const double diagonal = diagonalOf(pass, points, face),
+                     margin = std::max(pass.reach, 0.5 * (pass.faceThickness[face] + pass.reach));
         longest = std::max(longest, diagonal);
         // However a face turns, its box is no larger than its diagonal; it may stretch by a fifth.
         narrowest = std::min(narrowest, 1.2 * diagonal + 2 * margin);
         widest = std::max(widest, 1.2 * diagonal + 2 * margin);
     }
-    if (pair.search == ContactSearch::closestParticle) {
-        pair.cellSize = std::max(pair.meanFaceSize, longest / std::sqrt(3.0) + pair.reach);
+    if (pass.search == ContactSearch::closestParticle) {
+        pass.cellSize = std::max(pass.meanFaceSize, longest / std::sqrt(3.0) + pass.reach);
         return;
     }
-    pair.cellSize = 0.5 * narrowest;
-    pair.levels =
+    pass.cellSize = 0.5 * narrowest;
+    pass.levels =
         std::min(CellLists::mostLevels, 1 + Index(std::ceil(std::log2(widest / narrowest))));
 }
 

@@ -18,7 +18,7 @@ ListFields::ListFields(const NearBlocks::Pass& pass,
     due.resize(pass.own.starts.size() - 1);
 }
 
-bool ListFields::arrange(const NearBlocks::Pass& pass)
+bool ListFields::rebuild(const NearBlocks::Pass& pass)
 {
     nearStart.fromHost(pass.near.starts);
     blocks.fromHost(std::vector<BlockListState>(blocks.size()));

@@ -10,7 +10,7 @@ namespace fpm {
 struct ListFields : FieldSet {
     ListFields(const NearBlocks::Pass& pass, const Memory& memory, const NumberTypes& numbers);
     /// The pass was searched as a whole. True: arrays have moved, see Backend::forgetSteps.
-    bool arrange(const NearBlocks::Pass& pass);
+    bool rebuild(const NearBlocks::Pass& pass);
 
     std::size_t number; ///< of the pass among all
     double reach;

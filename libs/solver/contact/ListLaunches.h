@@ -7,13 +7,13 @@
 
 namespace fpm {
 
-/// Kernels of contact lists: when they have to be made anew, and the search that makes them.
+/// Kernels of contact lists: the list check, and the search that rebuilds them.
 class ListLaunches
 {
 public:
     virtual ~ListLaunches() = default;
-    /// Whether all lists last for `steps`; those that do not are made anew, but for whole passes,
-    /// for which the clock waits.
+    /// Checks whether all lists stay valid for `steps` and rebuilds those of the blocks that do
+    /// not; for whole passes the clock waits.
     virtual void check(Index steps) = 0;
     /// Searches in a whole pass; `atSteps`: only where a step follows.
     virtual void search(std::size_t pass, bool atSteps) = 0;

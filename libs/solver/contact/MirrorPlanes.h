@@ -4,7 +4,7 @@
 
 namespace fpm {
 
-/// A plane of symmetry of the scene, however many conditions tell of it.
+/// A symmetry plane of the scene, however many conditions define it.
 struct MirrorPlane {
     Point normal;            ///< unit
     double distance;         ///< of the undeformed plane from the origin, along the normal

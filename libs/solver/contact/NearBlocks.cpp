@@ -68,12 +68,12 @@ struct Box {
 NearBlocks::NearBlocks(const SolverSetUp& data)
 {
     for (std::size_t number = 0; number < data.contact.passes.size(); ++number) {
-        const ContactPassSetup& pair = data.contact.passes[number];
-        if (pair.surface >= 0) continue;
+        const ContactPassSetup& setUp = data.contact.passes[number];
+        if (setUp.surface >= 0) continue;
         Pass pass;
         pass.number = number;
-        pass.reach = pair.reach;
-        for (const double thickness : pair.faceThickness)
+        pass.reach = setUp.reach;
+        for (const double thickness : setUp.faceThickness)
             pass.thickness = std::max(pass.thickness, thickness);
         const auto numbered = [&](const std::vector<Index>& nodes, std::size_t count) {
             std::vector<Index> out;
@@ -81,9 +81,9 @@ NearBlocks::NearBlocks(const SolverSetUp& data)
                 out.push_back(data.contact.numberOf[std::size_t(nodes[i])]);
             return out;
         };
-        pass.faces = numbered(pair.faceNode, pair.faceNode.size());
+        pass.faces = numbered(setUp.faceNode, setUp.faceNode.size());
         pass.target = sortedOnce(pass.faces);
-        pass.contactor = numbered(pair.contactor, std::size_t(pair.nodeCount));
+        pass.contactor = numbered(setUp.contactor, std::size_t(setUp.nodeCount));
         pass.allOwn = blocksWith(pass.contactor);
         pass.allTarget = blocksWith(pass.target);
         for (auto first = pass.contactor.begin(); first != pass.contactor.end();) {
@@ -98,11 +98,11 @@ NearBlocks::NearBlocks(const SolverSetUp& data)
     }
 }
 
-void NearBlocks::arrange(std::size_t place, const Positions& positions)
+void NearBlocks::rebuild(std::size_t place, const Positions& positions)
 {
     Pass& pass = passes_[place];
-    // A contactor pushes the corners of a face within reach, or deeper than which it is let go.
-    // Since, it may have moved, and the corners both moved and moved apart.
+    // A contactor pushes the corners of a face within reach outside or a thickness inside. Since
+    // the rebuild it may have moved, and the corners both moved and moved apart.
     const double distance = longestDiagonal(pass.faces, positions) + pass.thickness
                             + 3 * ListCheck::rebuildDistance * pass.reach;
     std::map<Index, Box> targets; // by blocks of contact nodes

@@ -4,9 +4,8 @@
 
 namespace fpm {
 
-/// Which contact nodes are near which, by blocks: what a look at contact has to compare
-/// (ListCheck). Of every pass that searches faces; made by the host whenever a pass is searched as
-/// a whole.
+/// Neighbour blocks: which blocks of contact nodes the list check has to compare (ListCheck). For
+/// every pass that searches faces; the host rebuilds them with all lists of a pass.
 class NearBlocks
 {
 public:
@@ -31,10 +30,11 @@ public:
     explicit NearBlocks(const SolverSetUp& data);
 
     const std::vector<Pass>& passes() const { return passes_; }
-    /// The pass (of passes()) was searched as a whole at these positions.
-    void arrange(std::size_t place, const Positions& positions);
+    /// Rebuilds the neighbours of a pass (of passes()), whose lists were rebuilt at these
+    /// positions.
+    void rebuild(std::size_t place, const Positions& positions);
     /// Blocks of contact nodes that contactors of more than one thread may push until the pass is
-    /// arranged again, 1 each. Thread t has the blocks of contactors from starts[t] on.
+    /// rebuilt, 1 each. Thread t has the blocks of contactors from starts[t] on.
     std::vector<std::uint8_t> sharedBlocks(std::size_t place,
                                            const std::vector<Index>& starts) const;
 

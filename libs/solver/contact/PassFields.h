@@ -35,36 +35,38 @@ struct PassFields : FieldSet {
         *this, {"contactorStiffness", Location::contactor, Role::derived}, Family::work};
     NumberField contactorMass{
         *this, {"contactorMass", Location::contactor, Role::derived}, Family::work};
-    /// Where threads of the CPU have to lock; null: nowhere or everywhere.
+    /// Blocks where threads of the CPU need atomic additions; null: none or all.
     Field<std::uint8_t> shared{*this, {"shared", Location::block, Role::derived}};
 
     Field<std::int16_t> ownNormal{*this, {"ownNormal", Location::contactor, Role::state}};
-    /// Renewal numbers faces anew.
+    /// Renewal changes the numbers of faces.
     Field<Index> face{*this, {"face", Location::contactor, Role::state}};
     Field<Index> frictionFace{
-        *this, {"frictionFace", Location::contactor, Role::state, Renewal::keptInTouch}};
+        *this, {"frictionFace", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<std::uint8_t> around{*this, {"around", Location::contactor, Role::state}};
     NumberField xi{
-        *this, {"xi", Location::contactor, Role::state, Renewal::keptInTouch}, Family::work};
+        *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
     NumberField eta{
-        *this, {"eta", Location::contactor, Role::state, Renewal::keptInTouch}, Family::work};
-    NumberField friction{
-        *this, {"friction", Location::contactor, Role::state, Renewal::keptInTouch}, Family::work};
+        *this, {"eta", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
+    NumberField friction{*this,
+                         {"friction", Location::contactor, Role::state, Renewal::keptInContact},
+                         Family::work};
     NumberField heldStiffness{
         *this,
-        {"heldStiffness", Location::contactor, Role::state, Renewal::keptInTouch},
+        {"heldStiffness", Location::contactor, Role::state, Renewal::keptInContact},
         Family::work};
     Field<float> overlap{*this,
-                         {"overlap", Location::contactor, Role::state, Renewal::keptInTouch}};
+                         {"overlap", Location::contactor, Role::state, Renewal::keptInContact}};
     /// Forces on blocks of contactors, see BlockForce, and on each contactor where it may leave.
     Field<std::int64_t> force{*this, {"force", Location::block, Role::state}};
     Field<std::int64_t> contactorForce{*this, {"contactorForce", Location::contactor, Role::state}};
     /// Of an analytic surface on each contactor.
     Field<double> surfaceForce{
-        *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInTouch}};
-    Field<double> spring{*this, {"spring", Location::contactor, Role::state, Renewal::keptInTouch}};
+        *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<double> spring{*this,
+                         {"spring", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dampingForce{
-        *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInTouch}};
+        *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dissipated{*this,
                              {"dissipated", Location::contactor, Role::state, Renewal::kept}};
     Field<double> damped{*this, {"damped", Location::contactor, Role::state, Renewal::kept}};
@@ -78,7 +80,7 @@ struct PassFields : FieldSet {
     Field<CellEntry> entries{*this, {"entries", Location::table, Role::scratch}};
     Field<double> sums{*this, {"sums", Location::block, Role::scratch}};
     /// Results of a reading; see PassTouch and the gaps.
-    Field<double> touch{*this, {"touch", Location::block, Role::scratch}};
+    Field<double> status{*this, {"touch", Location::block, Role::scratch}};
     Field<double> gap{*this, {"gap", Location::contactor, Role::scratch}};
 
     std::uint32_t cellMask = 0; ///< of the hash into `head`

@@ -31,11 +31,11 @@ double massOf(const SolverSetUp& data, Index node)
 }
 
 /// Mass of the lightest corner of a face that can be moved; 0: none can.
-double faceMass(const SolverSetUp& data, const ContactPassSetup& pair, std::size_t face)
+double faceMass(const SolverSetUp& data, const ContactPassSetup& pass, std::size_t face)
 {
     double least = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-        const double mass = massOf(data, pair.faceNode[4 * face + k]);
+        const double mass = massOf(data, pass.faceNode[4 * face + k]);
         if (mass > 0 && (least == 0 || mass < least)) least = mass;
     }
     return least;
@@ -110,11 +110,11 @@ void addPenalty(ContactPassSetup& out,
         out.contactorStiffness.push_back(scale * stiffness);
 }
 
-double largestStiffness(const ContactPassSetup& pair)
+double largestStiffness(const ContactPassSetup& pass)
 {
     double most = 0;
-    for (const double k : pair.faceStiffness) most = std::max(most, k);
-    for (const double k : pair.contactorStiffness) most = std::max(most, k);
+    for (const double k : pass.faceStiffness) most = std::max(most, k);
+    for (const double k : pass.contactorStiffness) most = std::max(most, k);
     return most;
 }
 

@@ -15,7 +15,7 @@ void addPenalty(ContactPassSetup& out,
                 double share);
 
 /// Largest stiffness a spring of the pair can have.
-double largestStiffness(const ContactPassSetup& pair);
+double largestStiffness(const ContactPassSetup& pass);
 
 /// Share of a damped spring in the step bound: lagged damping zeta shortens the stable step to
 /// (sqrt(1 + zeta^2) - zeta) 2 / omega.

@@ -119,9 +119,9 @@ bool SurfaceErosion::renewContact(SolverSetUp& data, const std::vector<bool>& de
 PassRenewal compared(const ContactPassSetup& before, const ContactPassSetup& after)
 {
     PassRenewal out;
-    using Slot = std::pair<Index, Index>; // a node is a contactor for each body it may touch
-    const auto slotOf = [](const ContactPassSetup& pair, std::size_t i) {
-        return Slot{pair.contactor[i], Index(i) / pair.nodeCount};
+    using Slot = std::pair<Index, Index>; // a node has a contactor for each body it may meet
+    const auto slotOf = [](const ContactPassSetup& pass, std::size_t i) {
+        return Slot{pass.contactor[i], Index(i) / pass.nodeCount};
     };
     std::map<Slot, Index> contactors;
     for (std::size_t i = 0; i < before.contactor.size(); ++i)
@@ -130,8 +130,8 @@ PassRenewal compared(const ContactPassSetup& before, const ContactPassSetup& aft
         const auto found = contactors.find(slotOf(after, i));
         out.contactor.push_back(found == contactors.end() ? -1 : found->second);
     }
-    const auto corners = [](const ContactPassSetup& pair, std::size_t face) {
-        const Index* nodes = &pair.faceNode[4 * face];
+    const auto corners = [](const ContactPassSetup& pass, std::size_t face) {
+        const Index* nodes = &pass.faceNode[4 * face];
         return Quad{nodes[0], nodes[1], nodes[2], nodes[3]};
     };
     std::map<Quad, Index> faces;

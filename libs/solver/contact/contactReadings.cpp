@@ -1,5 +1,5 @@
+#include "kernels/contact/ContactStatus.h"
 #include "kernels/contact/NodeGap.h"
-#include "kernels/contact/PairTouch.h"
 #include "kernels/contact/Search.h"
 #include "solver/contact/ContactSolver.h"
 
@@ -51,41 +51,41 @@ PairForce ContactSolver::force(std::size_t number)
     return out;
 }
 
-/// [block][touchValues]
-std::vector<double> ContactSolver::touchOf(std::size_t pass)
+/// [block][statusValues]
+std::vector<double> ContactSolver::statusOf(std::size_t pass)
 {
     PassFields& fields = *fields_.contact.passes[pass];
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(fields.contactor.size())));
-    if (fields.touch.size() != blocks * touchValues) fields.touch.resize(blocks * touchValues);
-    launches_.touch(pass);
+    if (fields.status.size() != blocks * statusValues) fields.status.resize(blocks * statusValues);
+    launches_.status(pass);
     backend_.synchronize();
-    return fields.touch.toHost();
+    return fields.status.toHost();
 }
 
-PairTouch ContactSolver::touch(std::size_t number)
+PairStatus ContactSolver::status(std::size_t number)
 {
     backend_.synchronize();
-    PairTouch out;
+    PairStatus out;
     double weight = 0;
     for (std::size_t pass = 0; pass < setUp_.contact.passes.size(); ++pass) {
         if (setUp_.contact.passes[pass].pair != number) continue;
         const double sign = setUp_.contact.passes[pass].reversed ? -1 : 1;
-        const std::vector<double> blocks = touchOf(pass);
+        const std::vector<double> blocks = statusOf(pass);
         for (const double* of = blocks.data(); of < blocks.data() + blocks.size();
-             of += touchValues) {
-            out.active += Index(of[touchCount]);
-            weight += of[touchWeight];
-            out.meanDepth += of[touchDepth];
-            out.normal += of[touchNormal];
-            out.speed += of[touchSpeed];
+             of += statusValues) {
+            out.active += Index(of[statusCount]);
+            weight += of[statusWeight];
+            out.meanDepth += of[statusDepth];
+            out.normal += of[statusNormal];
+            out.speed += of[statusSpeed];
             for (std::size_t c = 0; c < 3; ++c) {
-                out.friction[c] += sign * of[touchFriction + c];
-                out.slip[c] += sign * of[touchSlip + c];
+                out.friction[c] += sign * of[statusFriction + c];
+                out.slip[c] += sign * of[statusSlip + c];
             }
-            if (!(of[touchDeepest] > out.maxDepth)) continue;
-            out.maxDepth = of[touchDeepest];
-            out.thickness = of[touchThickness];
-            out.deepest = setUp_.contact.passes[pass].contactor[std::size_t(of[touchContactor])];
+            if (!(of[statusDeepest] > out.maxDepth)) continue;
+            out.maxDepth = of[statusDeepest];
+            out.thickness = of[statusThickness];
+            out.deepest = setUp_.contact.passes[pass].contactor[std::size_t(of[statusContactor])];
         }
     }
     const double share = weight > 0 ? 1 / weight : 0;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "kernels/contact/ContactForce.h"
+#include "kernels/contact/ContactStatus.h"
 #include "kernels/contact/NodeGap.h"
 #include "kernels/contact/Overlap.h"
-#include "kernels/contact/PairTouch.h"
 #include "kernels/contact/PassSums.h"
 #include "kernels/contact/ReferenceDisplacement.h"
 #include "kernels/contact/Search.h"
@@ -64,11 +64,11 @@ public:
                      on_.setUp.contact.scale, f.sums.data()});
     }
 
-    void touch(std::size_t pass) override
+    void status(std::size_t pass) override
     {
-        using Faces = TouchSums<FaceTouch<Numbers>>;
-        using Surface = TouchSums<SurfaceTouch<Numbers>>;
-        double* out = fields(pass).touch.data();
+        using Faces = StatusSums<FaceStatus<Numbers>>;
+        using Surface = StatusSums<SurfaceStatus<Numbers>>;
+        double* out = fields(pass).status.data();
         if (setUp(pass).surface >= 0)
             on_.executor.parallelBlocks(blocks(pass), Surface::scratch(),
                                         Surface{contactors(pass), {surfaceForce(pass)}, out});

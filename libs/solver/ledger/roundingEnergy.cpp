@@ -4,8 +4,8 @@
 namespace fpm {
 
 /// All elements strained by ten million times the rounding of a position, in single precision by a
-/// hundred times. A smooth load begins with less: then ways of a step are rounded to few digits,
-/// and a gap of nothing opens and closes by rounding.
+/// hundred times. A smooth load begins with less: then displacement increments are rounded to few
+/// digits, and a zero gap opens and closes by rounding.
 double roundingEnergy(const Model& model)
 {
     const double strain = model.control.precision == Precision::single ? 1e-5 : 1e-9;

@@ -168,7 +168,7 @@ void addImposed(SolverSetUp& data,
             if (owner < 0) continue;
             const BoundaryCondition& condition = model.boundaryConditions[std::size_t(owner)];
             if (holds(condition, axes[axis])) {
-                data.nodes.fixed[std::size_t(node)] |= std::uint8_t(1 << axis);
+                data.nodes.fixed[std::size_t(node)] |= heldComponent(int(axis));
                 setAlong(data.nodes.velocity[std::size_t(node)], axes[axis], 0);
                 continue;
             }
@@ -192,8 +192,8 @@ void markImposed(SolverSetUp& data)
             for (Index k = data.nodes.conditionStart[node]; k < data.nodes.conditionStart[node + 1];
                  ++k)
                 if (const int axis = data.nodes.uses[std::size_t(k)].axis; axis >= 0)
-                    imposed |= 1 << axis;
-        if ((imposed & 7) == 7) data.nodes.fixed[node] |= imposedNode;
+                    imposed |= heldComponent(axis);
+        if ((imposed & heldComponents) == heldComponents) data.nodes.fixed[node] |= imposedNode;
     }
 }
 

@@ -84,11 +84,11 @@ def apart(whole, part, factor, skip):
 
 def plate(binaries, marks):
     """A coarse plate over its first impacts: longer, and the roundings of its loose layers, a few
-    contactors in touch at a time, grow to anything."""
+    contactors in contact at a time, grow to anything."""
     with wholePlate(binaries, 12, 1, 4, 1e-6, 0, 0.1) as case:
         quarter, said = reduced(case, "symmetry,elastic,friction", "-pilot", "1")
         marks.true("both planes are found", "mirror planes x = 0, y = 0: the quarter" in said)
-        marks.true("its saving is told", "75 % of the element-steps" in said)
+        marks.true("its saving is stated", "75 % of the element-steps" in said)
         marks.true("the rod stays elastic", "part rod stays elastic" in said)
         pairs = re.findall(r"friction of pair (\w+) does no work", said)
         marks.true(f"friction without work: {' '.join(pairs)}",
@@ -149,7 +149,7 @@ def blocks(binaries, marks):
 
 
 def measured(binaries, marks):
-    """-measure tells the same error as our comparison does, and leaves nothing behind."""
+    """-measure finds the same error as our comparison does, and leaves nothing behind."""
     with block(binaries) as case:
         case.replace("constant/partProperties", "rotation polar;",
                      "rotation polar; hourglass { form stiffness; coefficient 0.05; }")

@@ -108,7 +108,7 @@ DRIVEN = ("velocity", "axes", "turn")
 
 
 def loads(control=""):
-    """Columns held at the foot, each under a load of its own."""
+    """Columns held at the lower end, each under a load of its own."""
     names = list(LOADS)
     return lambda binaries: BitScene(
         binaries, control=control, parts="".join(elastic(name) for name in names),

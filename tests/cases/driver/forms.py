@@ -45,4 +45,4 @@ def check(binaries, marks):
         else:
             marks.note(f"{name} {result.lowest:.3f} mm")
         marks.below("balance", result.balance, 0.01)
-        marks.true("none let go", not result.released)
+        marks.true("none released", not result.released)

@@ -273,7 +273,7 @@ def stops(binaries, marks):
                    and (case.root / "failed/fields.vtkhdf").exists())
         marks.true("the cause is kept",
                    (case.root / "why.txt").read_text().strip() in done.stdout)
-        marks.true("the health of a stopped run is told", bool(rowsOf(case)))
+        marks.true("the health of a stopped run is reported", bool(rowsOf(case)))
 
 
 def ramp(binaries, marks):

@@ -37,7 +37,7 @@ def depth(binaries, marks):
            ["energy in contact springs / internal energy", DEEP])
 
 
-def letGo(binaries, marks):
+def released(binaries, marks):
     """A block falls through a thin target."""
     def through(scale, rows):
         return Scene(binaries, bodies=box("a", (-3, -3, 0), (16, 16, 0.5), (4, 4, 1))
@@ -46,9 +46,9 @@ def letGo(binaries, marks):
                      initial="v { type velocity; part b; value (0 0 -50000); }",
                      pairs=f"p {{ contactor b.zMin; target a.zMax; normalScale {scale}; }}")
     # Between two rows nobody measures the depth, but the solver counts.
-    judged(marks, "through between two rows", through(1e-6, 1), ["contactors let go"])
-    # Whoever is let go was deeper than half the thickness before: a row saw it there.
-    judged(marks, "through a thin target", through(1e-6, 80), [THROUGH, "contactors let go"])
+    judged(marks, "through between two rows", through(1e-6, 1), ["contactors released"])
+    # A released contactor was deeper than half the thickness before: a row saw it there.
+    judged(marks, "through a thin target", through(1e-6, 80), [THROUGH, "contactors released"])
     judged(marks, "cured by a larger normalScale", through(1, 80), [])
 
 
@@ -97,7 +97,7 @@ def crowd(binaries, marks):
 
 def snag(binaries, marks):
     """A pin slides over the gap between two flush plates and is thrown back: nodes of its front are
-    let go at the rim of the first plate and meet the side of the second."""
+    released at the rim of the first plate and meet the side of the second."""
     def slides(plates):
         return Scene(binaries, bodies="".join(box(*plate) for plate in plates)
                      + box("p", (10, 4, 4.02), (4, 2, 4), (4, 2, 4)),

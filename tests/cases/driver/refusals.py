@@ -1,4 +1,4 @@
-"""What stops a run, or is told before it, with the words that help."""
+"""What stops a run, or is reported before it, with the words that help."""
 
 from driver.scene import Scene, elastic
 
@@ -112,5 +112,5 @@ def misspelt(binaries, marks):
         (case.root / "constant/boundaryConditions").rename(
             case.root / "constant/boundaryCondition")
         output = case.run("fpmExplicit")
-        marks.true("boundaryCondition is told", "warning: constant/boundaryCondition is not read"
+        marks.true("boundaryCondition is reported", "warning: constant/boundaryCondition is not read"
                    in output)

@@ -53,7 +53,7 @@ class Result:
         self.kinetic = max(share)
         self.hourglass = energies["hourglass"][-1] / energies["internal"][-1]
         self.balance = case.worstBalance()
-        self.released = "were let go" in (case.root / "log.fpmExplicit").read_text()
+        self.released = "were released" in (case.root / "log.fpmExplicit").read_text()
         self.steps = case.performance()["steps"]
         self.seconds = case.performance()["wallSeconds"]
 
@@ -83,7 +83,7 @@ def judge(result, marks):
     marks.below("hourglass / internal", result.hourglass, 0.05)
     marks.below("kinetic / internal", result.kinetic, 0.01)
     marks.below("energy balance", result.balance, 0.01)
-    marks.true("no contactor let go", not result.released)
+    marks.true("no contactor released", not result.released)
     marks.note(f"{result.steps} steps, {result.seconds:.3g} s")
 
 

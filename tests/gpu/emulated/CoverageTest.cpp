@@ -27,7 +27,7 @@ TEST(EmulatedCoverage, TheScenesLaunchEveryKernelInEveryPrecision)
             solver->advance(1, 4);
             solver->nodes().values({0});
             for (std::size_t pair = 0; pair < scene.model.contactPairs.size(); ++pair)
-                solver->contact().touch(pair);
+                solver->contact().status(pair);
             solver->contact().gaps();
         }
     bench::bandwidthOfGpu(1000, 1);

@@ -82,7 +82,7 @@ TEST_F(PilotAdviceTest, WorkBelowATenThousandthOfTheEnergyIsNone)
 {
     results_.frictionWork = {0.09};
     EXPECT_EQ(said(), Words{"friction friction of pair touch does no work"});
-    results_.frictionWork = {std::nullopt}; // not told is not none
+    results_.frictionWork = {std::nullopt}; // not stated is not none
     EXPECT_EQ(said(), Words{});
     results_.energies->rows[0][5] = 0.09;
     EXPECT_EQ(said(), Words{"viscosity bulkViscosity 0"});
@@ -112,7 +112,7 @@ TEST_F(PilotAdviceTest, PartsThatTakeTheirModelFromAnotherKeepIt)
     }
 }
 
-TEST_F(PilotAdviceTest, SweptBoxesStayApartByTwiceTheWayBetweenFrames)
+TEST_F(PilotAdviceTest, SweptBoxesStayApartByTwiceTheDisplacementBetweenFrames)
 {
     // The upper block starts 2 higher and comes down by 1 in some frame.
     for (const Index node : model_.contactPairs[0].contactorNodes) {

@@ -171,7 +171,7 @@ TEST_F(PreviousRun, GoesWithItsMeshWhereThereIsAnotherNow)
 
 TEST_F(PreviousRun, GoesWithoutTheMeshOfAnother)
 {
-    first.mesh("fedcba9876543210"); // in a way that does not keep the old one
+    first.mesh("fedcba9876543210"); // so that the old one is not kept
 
     clear();
 
@@ -258,7 +258,7 @@ TEST_F(PreviousRun, CopiesAndLinksOfResultsStay)
     EXPECT_EQ(outsidePrevious(), left);
 }
 
-TEST_F(PreviousRun, BehindALinkStaysAndIsTold)
+TEST_F(PreviousRun, BehindALinkStaysAndIsReported)
 {
     const TemporaryCase other;
     fs::rename(folder.root() / "postProcessing", other.root() / "postProcessing");

@@ -33,7 +33,7 @@ struct Folder {
 
 } // namespace
 
-TEST(UnreadFiles, MisspeltNamesAreTold)
+TEST(UnreadFiles, MisspeltNamesAreReported)
 {
     Folder aCase;
     EXPECT_EQ(aCase.said(), "");

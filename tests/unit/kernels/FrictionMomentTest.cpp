@@ -120,7 +120,7 @@ std::vector<V> valley(double x, double y)
             {0, 2, rise}, {2, 2, 0},    {4, 2, rise}};
 }
 
-TEST(FrictionMoment, ItDoesNotMatterWhichOfTwoFacesTheFootIsTrackedOn)
+TEST(FrictionMoment, DoesNotDependOnWhichOfTwoFacesTheProjectionIsTracked)
 {
     for (const double mu : {0.05, 10.0}) {
         OneContactor a(mu, valley(2, 0.8), 0), b(mu, valley(2, 0.8), 1);
@@ -141,7 +141,7 @@ TEST(FrictionMoment, ItDoesNotMatterWhichOfTwoFacesTheFootIsTrackedOn)
 }
 
 /// A pocket of three walls, in whose corner a contactor lies midway between two of them.
-TEST(FrictionMoment, ItDoesNotMatterWhichOfThreeFacesTheFootIsTrackedOn)
+TEST(FrictionMoment, DoesNotDependOnWhichOfThreeFacesTheProjectionIsTracked)
 {
     const Faces walls{
         {1, 2, 3, 4, 1, 5, 6, 2, 1, 4, 7, 5},
@@ -169,7 +169,7 @@ TEST(FrictionMoment, ItDoesNotMatterWhichOfThreeFacesTheFootIsTrackedOn)
 
 TEST(FrictionMoment, NodesWorkThroughAValleyIsLostOrStored)
 {
-    // Deep below a valley the foot waits in it while the contactor goes on, 0.2 of the way here.
+    // Deep below a valley the projection point stays in it while the contactor moves on, 0.2 here.
     for (const double direction : {1.0, -1.0}) {
         const std::vector<V> nodes = valley(2 - direction, 1);
         OneContactor rough(0.1, nodes), smooth(0, nodes);

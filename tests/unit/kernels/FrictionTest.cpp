@@ -66,8 +66,8 @@ TEST(Friction, GivesNothingBackOverACycle)
     }
 }
 
-/// Turning points (and the place at the end) of a mass on a spring that rubs: m x'' = load - k x +
-/// F.
+/// Turning points (and the position at the end) of a mass on a spring with friction: m x'' = load -
+/// k x + F.
 std::vector<double>
 turningPoints(double mass, double k, double load, double mu, double normal, double x, double end)
 {
@@ -86,7 +86,7 @@ turningPoints(double mass, double k, double load, double mu, double normal, doub
     return out;
 }
 
-TEST(Friction, MassOnASpringLosesTheSameWayEachHalfCycleAndSticks)
+TEST(Friction, MassOnASpringLosesTheSameAmplitudeEachHalfCycleAndSticks)
 {
     // Each half cycle takes 2 mu m g / k = 0.3924 mm; it sticks in the 13th at 0.1012 mm.
     const auto x = turningPoints(1, 1e4, 0, 0.2, 9.81, 5e-3, 0.6);
@@ -159,7 +159,7 @@ TEST(Friction, FrameTurnsWithItsFace)
     }
 }
 
-TEST(Friction, SlipIsTheWayOverTheMaterialOfTheFace)
+TEST(Friction, SlipIsTheDisplacementOverTheMaterialOfTheFace)
 {
     const Scene scene;
     const FaceCorners<double> face = scene.face({0, 0, 1}, 0.4);
@@ -216,7 +216,7 @@ TEST(Penalty, TakesTheSideAsked)
 TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
 {
     // Half a period of a damped oscillator: e = exp(-zeta pi / sqrt(1 - zeta^2)) where the spring
-    // may pull; it may not, and lets go a little faster.
+    // may pull; it may not, and separates a little faster.
     for (const double zeta : {0.05, 0.2}) {
         double force = 0, damped = 0;
         PassLaw<double> pair{};
@@ -238,9 +238,9 @@ TEST(ContactDamping, ReboundOfAMassIsThatOfTheDampedSpring)
         // The force of the free oscillator is 0 at phase pi - 2 asin(zeta), before it pulls.
         const double phi =
             M_PI - std::atan2(2 * zeta * std::sqrt(1 - zeta * zeta), 1 - 2 * zeta * zeta);
-        const double letGo = std::exp(-zeta * phi / std::sqrt(1 - zeta * zeta));
+        const double separated = std::exp(-zeta * phi / std::sqrt(1 - zeta * zeta));
         EXPECT_GT(v, exact);
-        EXPECT_NEAR(v, letGo, 1e-3) << zeta;
+        EXPECT_NEAR(v, separated, 1e-3) << zeta;
         EXPECT_NEAR(damped, 0.5 * mass * (1 - v * v), 2e-4 * mass);
     }
 }

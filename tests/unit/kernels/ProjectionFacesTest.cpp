@@ -34,7 +34,7 @@ TEST(ProjectionFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
             b(mu, valley(), 1, twoFaces(), setting);
         ASSERT_TRUE(a.onBorder() && b.onBorder() && a.face() != b.face());
         expectEqual(a, b);
-        EXPECT_NEAR(size(a.force(0)), 100 * 0.5, 1e-9); // each bears half of its own spring
+        EXPECT_NEAR(size(a.force(0)), 100 * 0.5, 1e-9); // each carries half of its own spring
     }
 }
 
@@ -65,8 +65,8 @@ TEST(ProjectionFaces, ContactDampingHasTheLeastMassOfAllOfThem)
     }
 }
 
-/// Face 0 looks away from the contactor, which looks at face 1.
-TEST(ProjectionFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
+/// The normal of face 0 does not oppose the contactor's, that of face 1 does.
+TEST(ProjectionFaces, OneThatDoesNotOpposeIsNoPartnerWhicheverIsTracked)
 {
     const V ownNormal{std::sin(1.4), 0, -std::cos(1.4)};
     for (const double mu : {0.0, 0.3}) {
@@ -79,8 +79,8 @@ TEST(ProjectionFaces, OneThatLooksAwayIsNoPartnerWhicheverIsTracked)
     }
 }
 
-/// Nor where the contactor was before the tracker left it.
-TEST(ProjectionFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
+/// The same for the face on which the contactor was before.
+TEST(ProjectionFaces, OneThatDoesNotOpposeIsLeftOutOfTheLastPlaceToo)
 {
     OneContactor pair(0.3, valley(), 1, twoFaces(),
                       {.ownNormal = {std::sin(1.4), 0, -std::cos(1.4)}});
@@ -93,8 +93,8 @@ TEST(ProjectionFaces, OneThatLooksAwayIsLeftOutOfTheLastPlaceToo)
     }
 }
 
-/// To a contactor the surface ends where the next face looks away as it does where there is none:
-/// the way beyond counts both ways.
+/// For a contactor the surface ends where the next face does not oppose it, just as at a free edge:
+/// the displacement beyond the end counts in both cases.
 TEST(ProjectionFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
 {
     // Face 1 hangs down from the edge x = 2 and a little back.

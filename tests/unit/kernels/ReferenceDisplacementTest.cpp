@@ -11,7 +11,7 @@
 namespace fpm {
 namespace {
 
-/// Contact nodes of two blocks around a place, of which all are remembered, then moved.
+/// Contact nodes of two blocks around a point, with their positions as reference, then displaced.
 class Nodes
 {
 public:
@@ -58,7 +58,7 @@ private:
     float offset_[3 * count];
 };
 
-TEST(ReferenceDisplacement, AWayIsNeverToldShorterAndWhereverItIsHardlyLonger)
+TEST(ReferenceDisplacement, IsNeverTooSmallAndHardlyTooLargeAnywhere)
 {
     for (const double place : {0.0, 1e4})
         for (const double way : {0.0, 1e-9, 1e-3, 1.0}) {

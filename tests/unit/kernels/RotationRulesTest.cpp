@@ -98,7 +98,7 @@ TEST(RotationRules, PolarIsThatOfTheMeanDeformationGradient)
     }
 }
 
-TEST(RotationRules, PolarAndSpinDoNotKnowTheNumberingOfTheCorners)
+TEST(RotationRules, PolarAndSpinDoNotDependOnTheNumberingOfTheCorners)
 {
     std::mt19937 random(63);
     const int order[8] = {4, 0, 3, 7, 5, 1, 2, 6}; // another face at the bottom

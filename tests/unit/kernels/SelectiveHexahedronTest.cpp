@@ -352,7 +352,7 @@ TEST(SelectiveHexahedron, ItsStepIsExactForACubeAndNeverBelowOnePointForBricks)
     }
 }
 
-TEST(SelectiveHexahedron, AnInvertedPointIsTold)
+TEST(SelectiveHexahedron, AnInvertedPointIsReported)
 {
     Corners x = brick(1, 1, 1);
     x.row(6) << -0.4, -0.4, -0.4; // one corner pushed through: the volume stays positive

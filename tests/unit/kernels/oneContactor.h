@@ -28,7 +28,7 @@ struct Setting {
     std::vector<float> faceThickness{};  ///< empty: 10
     std::vector<double> faceMass{};
     double contactorMass = 0, damping = 0;
-    V ownNormal{0, 0, 0}; ///< unit normal of the contactor's own faces; 0: all ways
+    V ownNormal{0, 0, 0}; ///< unit normal of the contactor's own faces; 0: none
     std::vector<double> mirrorNormals{};
 };
 
@@ -65,7 +65,7 @@ public:
         law_.damped = &damped_;
         view().setOwnNormal(0, setting_.ownNormal);
         clock_.step = step;
-        press(); // finds the foot
+        press(); // finds the projection point
         law_.friction = {friction, friction, 0, tangentialRatio, false};
         press();
     }

@@ -98,7 +98,7 @@ TEST(Box, KeepsItsShapeAtAnySizeAndPlace)
     EXPECT_EQ(sheet.points.size(), 50u);
 }
 
-TEST(Box, HasSixSideSetsThatLookOutward)
+TEST(Box, HasSixOutwardSideSets)
 {
     const Mesh mesh =
         meshOf("bodies { a { type box; origin (0 0 0); size (1 2 3); cells (2 3 4); } }");

@@ -241,7 +241,7 @@ TEST(Cylinder, TellsTheAreaThatItsChordsLack)
     EXPECT_EQ(said(tube + "circumferential 40;").find("lack"), std::string::npos);
 }
 
-TEST(Cylinder, HasTheAreaOfTheCircleWithTheRadiusThatIsTold)
+TEST(Cylinder, HasTheAreaOfTheCircleWithTheReportedRadius)
 {
     const MesherCase aCase;
     const std::string rest = " base (0 0 0); height 1; axial 1; core 1; rings 1; } }";

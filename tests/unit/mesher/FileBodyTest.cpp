@@ -95,9 +95,10 @@ TEST(FileBody, MakesSetsOfOtherGroupsAndNamesTheNameless)
     EXPECT_EQ(mesh.nodeSets.at("corner").size(), 1u);
 }
 
-TEST(FileBody, TakesTheSideAFaceBetweenTwoPartsLooksOutOf)
+TEST(FileBody, TakesTheOutwardSideOfAFaceBetweenTwoParts)
 {
-    const Mesh mesh = import(twoBlocks); // "middle" looks down: out of the upper block
+    const Mesh mesh = import(twoBlocks); // the outward normal of "middle" points down, out of the
+                                         // upper block
 
     const auto& middle = mesh.sideSets.at("middle");
     ASSERT_EQ(middle.size(), 1u);

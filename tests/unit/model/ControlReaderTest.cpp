@@ -174,7 +174,7 @@ TEST(HistoryReader, WarnsOfAPointFarFromItsPart)
     const test::CaseFolder folder;
     readFunctions("tip { type point; part rod; position (5 0 0); }", Log(folder.logFile()));
 
-    EXPECT_TRUE(contains(folder.logText(), "node 1 at (1 0 0), 4 from the position asked for"));
+    EXPECT_TRUE(contains(folder.logText(), "node 1 at (1 0 0), 4 from the requested position"));
     EXPECT_TRUE(contains(folder.logText(), "warning: history tip"));
 }
 

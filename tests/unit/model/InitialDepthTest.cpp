@@ -90,8 +90,8 @@ TEST(InitialDepth, TheElementUnderTheFaceCountsNotThePlate)
 
 TEST(InitialDepth, SidesOfABodyThatIsHeldByItsEndAreNoFault)
 {
-    // Elements of 0.1: nodes of the block's sides lie in the plate and look along it; those of its
-    // end hold it. The second block stands out over an edge of the plate.
+    // Elements of 0.1: nodes of the block's sides lie in the plate with their normals along it;
+    // those of its end hold it. The second block stands out over an edge of the plate.
     Mesh mesh = test::boxMesh({{"plate", {0, 0, 0}, {10, 10, 1}, {5, 5, 1}},
                                {"block", {2.5, 2.5, 0.7}, {1, 1, 1}, {10, 10, 10}}});
     InitialDepths depths = depthsOf(mesh);

@@ -87,7 +87,7 @@ TEST(PaperAlgorithm, RefusesWhatThePaperLacks)
         contains(refusal([] { RodCase("algorithm papr;").read(); }), "'algorithm' must be"));
 }
 
-TEST(PaperAlgorithm, EachOfItsWaysCanBeChosenAlone)
+TEST(PaperAlgorithm, EachOfItsChoicesCanBeMadeAlone)
 {
     const RodCase cold("", "rotation arcsin;", "contactor rod; target plate1; projection cold;");
     const Model model = cold.read();

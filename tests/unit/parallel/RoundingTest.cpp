@@ -4,7 +4,7 @@ namespace fpm {
 namespace {
 
 /// As forces are on their way to the host. g++ 12 joins the two conversions there and back in one
-/// register, takes them for nothing and leaves the rounding out, unless it is told not to join.
+/// register, takes them for nothing and leaves the rounding out, unless an option forbids it.
 [[gnu::noipa]] void throughFloat(const double* from, double* to)
 {
     const float first = float(from[0]), second = float(from[1]);

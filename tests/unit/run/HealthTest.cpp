@@ -89,14 +89,14 @@ Sliding slid(const Force& force, const Slip& slip)
 {
     Sliding sliding;
     for (int row = 0; row < 1000; ++row) {
-        PairTouch touch;
-        touch.active = 4;
-        touch.normal = 10;
-        touch.meanDepth = 1e-4;
-        touch.friction = {force(row), 0, 0};
-        touch.slip = {slip(row), 0, 0};
-        touch.speed = std::abs(slip(row));
-        sliding.sample(1e-3 * row, touch, rough());
+        PairStatus status;
+        status.active = 4;
+        status.normal = 10;
+        status.meanDepth = 1e-4;
+        status.friction = {force(row), 0, 0};
+        status.slip = {slip(row), 0, 0};
+        status.speed = std::abs(slip(row));
+        sliding.sample(1e-3 * row, status, rough());
     }
     return sliding;
 }

@@ -24,7 +24,7 @@ std::vector<std::vector<double>> tableOf(const std::filesystem::path& file)
     return rows;
 }
 
-TEST(Histories, ReactionHistoriesTellTravelAndTheForceOfTheWhole)
+TEST(Histories, ReactionHistoriesHaveTravelAndTheForceOfTheWhole)
 {
     Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                             aluminium(PartKind::elastic, HourglassForm::stiffness), {0, 0, 0}, 0);

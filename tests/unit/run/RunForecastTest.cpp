@@ -83,7 +83,7 @@ TEST(RunForecast, WarnsOfFramesThatCostMoreThanSteps)
     EXPECT_TRUE(warns(1e-6, 1e-7, 1e-6));  // 5 s of frames, 10 ms of steps
     EXPECT_FALSE(warns(1e-6, 1e-7, 1e-2)); // 100 s of steps
     EXPECT_FALSE(warns(1e-4, 1e-7, 1e-6)); // a dozen frames are no matter
-    EXPECT_FALSE(warns(1e-6, 1e-7, 0));    // nobody knows yet
+    EXPECT_FALSE(warns(1e-6, 1e-7, 0));    // not known yet
 }
 
 TEST(RunForecast, WarnsOfADiskAndAMemoryThatAreTooSmall)
@@ -111,7 +111,7 @@ TEST(RunForecast, ARunThatTheDiskCannotHoldDoesNotBegin)
     EXPECT_NO_THROW(reportStart(*solver, model, folder.root(), 10, log));
 }
 
-TEST(RunForecast, EndlessRunsAreTold)
+TEST(RunForecast, EndlessRunsAreReported)
 {
     Control control;
     control.endTime = 1;

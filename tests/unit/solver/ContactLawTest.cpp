@@ -231,9 +231,9 @@ bool caught(double speed, double start, ContactSearch search = ContactSearch::fa
 
 TEST(ContactLaw, NoContactorIsLostUpToTheSpeedOfWaves)
 {
-    // With both searches: the step bounds the way. The first loss is at 1.3 times the wave speed: a
-    // step is then longer than reach and half a cell together, the depth at which a contactor is
-    // still found.
+    // With both searches: the step bounds the displacement. The first loss is at 1.3 times the wave
+    // speed: a step is then longer than reach and half a cell together, the depth at which a
+    // contactor is still found.
     for (const double speed : {0.01, 0.1, 0.3, 1.0})
         for (double start = 0.3; start < 0.9; start += 0.07)
             for (const ContactSearch search :

@@ -95,7 +95,7 @@ TEST(Contact, ForceOfTheImpactIsHalfTheImpedanceTimesTheSpeed)
 
 TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
 {
-    // 400 m/s: in ten steps the block makes more way than a face's reach.
+    // 400 m/s: in ten steps the block moves further than the skin.
     Model model =
         twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                   aluminium(PartKind::elastic, HourglassForm::physical), {0, 0, -4e5}, 0, 2.9);
@@ -111,14 +111,14 @@ TEST(Contact, FastBlockIsFoundBeforeItIsDeep)
             std::min(least, 0.5 * reach * double(solver->times().searches - searches + 1) / way);
         ASSERT_EQ(solver->clock().failed, 0);
     }
-    EXPECT_GE(least, 1) << "a list was used for more than half a reach of way";
+    EXPECT_GE(least, 1) << "a list was used for more than half a skin of displacement";
     EXPECT_EQ(solver->contact().force(0).released, 0);
     EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
 }
 
-TEST(Contact, ListsThatAJumpOutrunsAreTold)
+TEST(Contact, ListsThatAJumpOutrunsAreReported)
 {
-    // Rest, from which no look foresees 1500 m/s; the same speed from the start is foreseen.
+    // At rest no list check foresees 1500 m/s; the same speed from the start is foreseen.
     const auto late = [](double rest) {
         Model model = twoBlocks(aluminium(PartKind::elastic, HourglassForm::physical),
                                 aluminium(PartKind::elastic, HourglassForm::physical), {}, 0, 1);

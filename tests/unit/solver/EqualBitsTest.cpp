@@ -73,7 +73,7 @@ TEST_P(EqualBits, ThreadsDoNotChangeTheState)
             << threads << " threads";
 }
 
-TEST_P(EqualBits, AChangeOfThreadsOnTheWayDoesNotChangeTheState)
+TEST_P(EqualBits, AChangeOfThreadsDuringTheRunDoesNotChangeTheState)
 {
     Model model = impact(GetParam());
     const std::uint64_t serial = checksumOf(model, "serial", 1, "auto", 150);

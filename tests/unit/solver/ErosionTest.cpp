@@ -88,7 +88,7 @@ TEST(ErosionSurfaces, WhatADeletedElementCoveredJoinsTheSurface)
     EXPECT_EQ(sides.size(), top.size() - 1 + 8);
     EXPECT_FALSE(holds(lower, {0, 0, 1}));
 
-    // An element of the lower row alone does not touch the top.
+    // An element of the lower row alone is not in contact with the top.
     deleted[std::size_t(upper)] = false;
     EXPECT_EQ(erosion.renewedSides(top, deleted), top);
 }
@@ -222,8 +222,8 @@ TEST(Erosion, TheTimeStepIsNotLimitedByDeletedElements)
     EXPECT_EQ(std::ranges::count(values.deleted, true), 1);
 }
 
-/// Faces of unlike stiffness have springs that remember theirs; when the odd one is deleted, the
-/// rest are alike and need no memory.
+/// Faces of unequal stiffness have springs that keep their stiffness; when the odd one is deleted,
+/// the rest are equal and need no memory.
 TEST(Erosion, FacesMayBecomeAlike)
 {
     Part part = aluminium(PartKind::elastoplastic, HourglassForm::stiffness);

@@ -145,7 +145,7 @@ Model cameInSideways()
     return model;
 }
 
-TEST(InitialOverlap, NodesThatComeInSidewaysGetNoForceFromTheirDepth)
+TEST(InitialOverlap, NodesThatEnterOverAnEdgeGetNoForceFromTheirDepth)
 {
     const auto solver = startedSolver(cameInSideways());
     while (solver->clock().time < 3e-6) {

@@ -36,7 +36,8 @@ SolverSetUp twoPairs(double reach, Index blocks)
     return data;
 }
 
-/// The looks of a solver, told where the contact nodes have come; waiting passes are arranged.
+/// List checks of a solver for given displacements of the contact nodes; lists of waiting passes
+/// are rebuilt.
 class ListChecks
 {
 public:
@@ -49,11 +50,11 @@ public:
         clock_.stop = 1e9;
         clock_.step = 1;
         rules.growth = 1;
-        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) arrange(pass);
+        for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) rebuild(pass);
     }
 
-    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Ways and speeds of the
-    /// blocks of contact nodes since the last search of any.
+    /// "0: all", "1: 0 2" for the passes that are due and their blocks. Displacements and speeds of
+    /// the blocks of contact nodes since the last rebuild of any.
     std::string operator()(const std::vector<double>& distances, const std::vector<double>& speeds)
     {
         std::vector<double> displacements;
@@ -73,13 +74,13 @@ public:
         std::ostringstream text;
         for (std::size_t pass = 0; pass < near_.passes().size(); ++pass) {
             const PassListState& found = fields_->lists.data()[pass];
-            if (!found.whole && found.due == 0) continue;
+            if (!found.rebuild && found.due == 0) continue;
             text << (text.tellp() > 0 ? ", " : "") << pass << ":";
             for (std::int64_t k = 0; k < found.due; ++k) text << " " << checks[pass].list[k];
-            if (!found.whole) continue;
+            if (!found.rebuild) continue;
             text << " all";
             EXPECT_FALSE(clock_.mayStep());
-            arrange(pass);
+            rebuild(pass);
         }
         return text.str();
     }
@@ -89,17 +90,17 @@ public:
     StepClock& clock() { return clock_; }
 
     StepRules rules;
-    double rounding = 0; ///< in the ways told
+    double rounding = 0; ///< of the given displacements
 
 private:
     using Executor = CpuExecutor<64>;
 
-    void arrange(std::size_t pass)
+    void rebuild(std::size_t pass)
     {
-        near_.arrange(pass, positions_);
-        fields_->passLists[pass]->arrange(near_.passes()[pass]);
+        near_.rebuild(pass, positions_);
+        fields_->passLists[pass]->rebuild(near_.passes()[pass]);
         fields_->lists.data()[pass] = {};
-        fields_->lists.data()[pass].fresh = 1;
+        fields_->lists.data()[pass].rebuilt = 1;
     }
 
     Executor executor_{1, PassListCheck::scratch()};
@@ -111,7 +112,7 @@ private:
 };
 
 /// Block k of each surface lies at x = k * spacing.
-ListChecks arranged(double reach, Index blocks, double spacing)
+ListChecks rebuiltChecks(double reach, Index blocks, double spacing)
 {
     const std::size_t count = std::size_t(4 * blocks * contactBlock);
     NearBlocks::Positions positions(3 * count);
@@ -132,33 +133,34 @@ ListChecks apart(double reach, double distance)
 
 const std::vector<double> still(4, 0.0);
 
-TEST(ListCheck, WaysOfBothSidesAddUpAndOtherPairsDoNotCount)
+TEST(ListCheck, DisplacementsOfBothSidesAddUpAndOtherPassesDoNotCount)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({0.5, 0.49, 0, 0}, still), "");
     EXPECT_EQ(check({0.5, 0.51, 0, 0}, still), "0: 0");
     EXPECT_EQ(check.steps(), 10);
 }
 
-TEST(ListCheck, AWayBeforeTheSearchOfAnotherPairIsNotForgotten)
+TEST(ListCheck, ADisplacementBeforeTheRebuildOfAnotherPassCounts)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     EXPECT_EQ(check({2, 0, 0.6, 0}, still), "0: 0");
-    // Positions were remembered then: another 0.5 is 1.1 for the second pair, 0.5 for the first.
+    // Reference positions were stored then: another 0.5 is 1.1 for the second pass, 0.5 for the
+    // first.
     EXPECT_EQ(check({0.5, 0, 0.5, 0}, still), "1: 0");
     EXPECT_EQ(check({0.4, 0, 0.9, 0}, still), "");
 }
 
 TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
-    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, eleven and a bit the reach.
+    // 1.5 (0.03 + 0.03) a step: ten steps are 0.9, a little more than eleven the skin.
     EXPECT_EQ(check(still, {0.03, 0.03, 0, 0}), "");
     EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
-    // Faster than ten steps can bear even from a fresh search: fewer, but one at least.
+    // Too fast for ten steps even after a rebuild: fewer steps, but at least one.
     check(still, {0.1, 0.1, 0, 0});
     EXPECT_EQ(check.steps(), 3);
     check(still, {100, 0, 0, 0});
@@ -169,15 +171,16 @@ TEST(ListCheck, TheComingStepsCountHalfAsFastAgain)
 
 TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 {
-    // Three blocks a surface, 100 reaches apart; ways in the order of the surfaces.
-    ListChecks check = arranged(1, 3, 100);
+    // Three blocks a surface, 100 skins apart; displacements in the order of the surfaces.
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
-    distances[4] = 1.5; // the middle of the first pair's target
+    distances[4] = 1.5; // the middle block of the first pass's target
     EXPECT_EQ(check(distances, slow), "0: 1");
     distances[4] = 0;
-    distances[0] = 0.9; // of the first contactors; the middle ones were searched meanwhile
+    distances[0] = 0.9; // of the first contactors; the lists of the middle ones were rebuilt
+                        // meanwhile
     EXPECT_EQ(check(distances, slow), "");
     distances[0] = 1.1;
     EXPECT_EQ(check(distances, slow), "0: 0");
@@ -185,38 +188,39 @@ TEST(ListCheck, WhatIsFarFromTheMotionDoesNotSearch)
 
 TEST(ListCheck, WhereSomethingCameFromAfarAllSearchAgain)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
     distances[4] = 3;
     EXPECT_EQ(check(distances, slow), "0: 1");
     EXPECT_EQ(check(distances, slow), "0: 1");
-    // 3 + 3 + 3 is more than the 7 reaches for which is known what is near.
+    // 3 + 3 + 3 is more than the 7 skins for which the neighbourhood is complete.
     EXPECT_EQ(check(distances, slow), "0: all");
-    // It was arranged where it is: whatever its speed, the next look lets it go on.
+    // It was rebuilt at the present positions: at any speed the next check lets it continue.
     EXPECT_EQ(check(slow, distances), "");
     EXPECT_EQ(check.steps(), 1);
 }
 
 TEST(ListCheck, AFixedStepIsForeseenAfterOneThatWasCut)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
     check.clock().step = 0.01; // to meet a time; the next ones are 1 again
     check.rules.fixedStep = 1;
     EXPECT_EQ(check({0.2, 0, 0, 0}, {0.03, 0.03, 0, 0}), "0: 0");
 }
 
-TEST(ListCheck, WhatIsNearIsKnownForAsManyStepsAsFollow)
+TEST(ListCheck, NeighboursStayCompleteForAsManyStepsAsFollow)
 {
-    // The target comes from afar, four reaches a step with all haste; no contactor is near it.
+    // The target approaches from far, four skins a step with the safety factor; no contactor is
+    // near it.
     ListChecks check = apart(1, 200);
     const std::vector<double> speeds{0, 4 / 1.5, 0, 0};
     check(still, still);
     EXPECT_EQ(check({0, 7, 0, 0}, speeds), "0: all");
     EXPECT_EQ(check(still, speeds), "");
-    EXPECT_EQ(check.steps(), 1); // of the seven reaches
+    EXPECT_EQ(check.steps(), 1); // of the seven skins
     EXPECT_EQ(check.late(), 0);
 }
 
@@ -232,7 +236,7 @@ TEST(ListCheck, BlocksWithNothingNearDoNotSearch)
 
 TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
 {
-    ListChecks check = arranged(1, 3, 100);
+    ListChecks check = rebuiltChecks(1, 3, 100);
     const std::vector<double> slow(12, 0.0);
     std::vector<double> distances(12, 0.0);
     check(distances, slow);
@@ -242,16 +246,16 @@ TEST(ListCheck, ListsThatWereUsedForTooLongAreCounted)
     distances[4] = 1.1; // of block 1 alone
     check(distances, slow);
     EXPECT_EQ(check.late(), 1);
-    distances[4] = 9; // and what was near it is not known any more
+    distances[4] = 9; // and its neighbourhood is no longer complete
     check(distances, slow);
     EXPECT_EQ(check.late(), 3);
 }
 
 TEST(ListCheck, WhatMayBeRoundingIsSearchedForButNotCountedAsLate)
 {
-    ListChecks check = arranged(1, 1, 0);
+    ListChecks check = rebuiltChecks(1, 1, 0);
     check(still, still);
-    check.rounding = 0.3; // of each side, at both ends of a way
+    check.rounding = 0.3; // of each side, at both ends of a displacement
     EXPECT_EQ(check({1.1, 0, 0, 0}, still), "0: 0");
     EXPECT_EQ(check.late(), 0);
     EXPECT_EQ(check({2.3, 0, 0, 0}, still), "0: 0");
@@ -264,27 +268,28 @@ TEST(NearBlocks, ThreadsShareBlocksOfContactNodesWhereTheirContactorsMeet)
     const std::vector<Index> starts{0, 2};
     const auto text = [&](double spacing) {
         std::string out;
-        for (const std::uint8_t shared : arranged(1, 4, spacing).near().sharedBlocks(0, starts))
+        for (const std::uint8_t shared :
+             rebuiltChecks(1, 4, spacing).near().sharedBlocks(0, starts))
             out += shared ? 's' : '-';
         return out;
     };
     EXPECT_EQ(text(100), "--------"); // contactors and, below each of them, the target's nodes
     EXPECT_EQ(text(0), "----ssss");   // all in one place
-    // Within 24 reaches: those beside the border of the two threads.
+    // Within 24 skins: those beside the border of the two threads.
     EXPECT_EQ(text(15), "-----ss-");
 }
 
 TEST(NearBlocks, CornersOfALargeFaceAreNearWhateverIsOverIt)
 {
-    // One face as wide as 100 reaches whose corners lie in two blocks of contact nodes, and a block
+    // One face as wide as 100 skins whose corners lie in two blocks of contact nodes, and a block
     // of contactors over its middle.
     SolverSetUp data;
     data.contact.passes.resize(1);
-    ContactPassSetup& pair = data.contact.passes[0];
-    pair.reach = 1;
-    pair.nodeCount = 2 * contactBlock;
-    for (Index i = 0; i < pair.nodeCount; ++i) pair.contactor.push_back(i);
-    pair.faceNode = {2 * contactBlock, 2 * contactBlock + 1, 3 * contactBlock,
+    ContactPassSetup& pass = data.contact.passes[0];
+    pass.reach = 1;
+    pass.nodeCount = 2 * contactBlock;
+    for (Index i = 0; i < pass.nodeCount; ++i) pass.contactor.push_back(i);
+    pass.faceNode = {2 * contactBlock, 2 * contactBlock + 1, 3 * contactBlock,
                      3 * contactBlock + 1};
     const std::size_t count = std::size_t(4 * contactBlock);
     numberNodes(data, 4 * contactBlock);

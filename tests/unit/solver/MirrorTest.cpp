@@ -63,7 +63,7 @@ TEST(Mirror, HalfTheModelMeetsAsTheWholeOneDoes)
         }
 }
 
-/// However many conditions a plane of symmetry is told in, it is one plane.
+/// However many conditions define a plane of symmetry, it is one plane.
 TEST(Mirror, APlaneInManyConditionsIsOne)
 {
     const auto once = startedSolver(strike(true, 1, 0.3));

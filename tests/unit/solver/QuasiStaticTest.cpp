@@ -167,7 +167,7 @@ TEST(DynamicRelaxation, DoesNotEndBeforeTheLoadsAreHeld)
     EXPECT_NEAR(tipOf(model, *solver, 40), beam, 0.012 * std::abs(beam));
 }
 
-TEST(DynamicRelaxation, DoesNotDependOnWhenTheHostLooksNorOnThreadsNorOnVectorWidth)
+TEST(DynamicRelaxation, DoesNotDependOnWhenTheHostReadsNorOnThreadsNorOnVectorWidth)
 {
     Model model = cantilever();
     model.control.relaxationTolerance = 1e-3;

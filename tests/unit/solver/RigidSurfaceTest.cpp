@@ -93,7 +93,7 @@ struct Slide {
     Amplitude amplitude; ///< of the weight
     Point end{0, 0, 0};
     Energies energies;
-    double stop = -1; ///< time of the largest way
+    double stop = -1; ///< time of the largest displacement
 
     Model model() const
     {

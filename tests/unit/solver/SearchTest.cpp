@@ -136,7 +136,7 @@ TEST(Search, FacesFindsAFaceThatHasGrownBeyondAllCells)
     EXPECT_EQ(scene.faceOf(0), 3);
 }
 
-TEST(Search, FacesFindsItsWayBesideAStrayNode)
+TEST(Search, FacesFindsItsFacesBesideAStrayNode)
 {
     Grid faces = grid(4, 4, [](double x, double y) { return Point{x, y, 0}; });
     SearchScene scene(faces.points, faces.faces,
@@ -147,7 +147,7 @@ TEST(Search, FacesFindsItsWayBesideAStrayNode)
     EXPECT_GE(scene.faceOf(2), 0);
 }
 
-TEST(Search, FacesAroundACornerAreToldInOneOrderWhicheverOfThemIsAsked)
+TEST(Search, FacesAroundACornerHaveOneOrderWhicheverOfThemIsGiven)
 {
     const Grid faces = sheet(5, 0, 1, 1);
     SearchScene scene(faces.points, faces.faces, {{0, 0, 1}});

@@ -349,7 +349,7 @@ TEST(Tracking, SeesTheOppositeFlankOfAGroove)
     EXPECT_EQ(paper.faceOf(0), noFace) << "lost, though inside the left flank by " << exact(0.1);
 }
 
-/// Work of the penalty force over a way, and the change of k gap^2 / 2.
+/// Work of the penalty force over a path, and the change of k gap^2 / 2.
 double lostWork(SearchScene& scene, const std::function<Point(double)>& way, int steps)
 {
     double work = 0, first = 0, last = 0, most = 0;

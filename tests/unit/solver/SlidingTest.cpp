@@ -145,10 +145,10 @@ double ridgeError(double depth, double friction, double step)
 
 TEST(Sliding, OverARidgeEnergyIsKeptHoweverDeep)
 {
-    // Inside a ridge the foot of the perpendicular leaps to the other side where that becomes the
-    // nearer one; the contactor does not leap, and its friction makes no way. The target is 0.5
-    // thick. What is left is of the step in which the normal turns: the force changes by 0.8 k g
-    // along its way, over k g^2 / 2.
+    // Inside a ridge the projection point jumps to the other side where that becomes the nearer
+    // one; the contactor does not jump, and its friction makes no slip. The target is 0.5 thick.
+    // The remaining error is that of the step in which the normal turns: the force changes by 0.8 k
+    // g along its displacement, over k g^2 / 2.
     for (const double depth : {0.1, 0.2, 0.35})
         for (const double friction : {0.0, 0.3})
             for (const double step : {2e-8, 2e-9})
@@ -175,7 +175,7 @@ TEST(Sliding, ForceOverAGentlyCurvedTargetJumpsNoMoreThanItsNormals)
             before = now.force;
         }
         EXPECT_LT(worstX, 1.2 * angle);
-        EXPECT_LT(worstZ, 0.03); // 20 um of way a step on a slope of up to 0.03
+        EXPECT_LT(worstZ, 0.03); // 20 um of displacement a step on a slope of up to 0.03
     }
 }
 
@@ -202,7 +202,7 @@ TEST(Sliding, NodesThatLeaveOverAFreeEdgeOpen)
     EXPECT_EQ(solver->contact().force(0).released, 0);
 }
 
-TEST(Sliding, NodesPushedThroughTheTargetAreLetGoAndCounted)
+TEST(Sliding, NodesPushedThroughTheTargetAreReleasedAndCounted)
 {
     const Model model = slider(flat, 5.2, 0.1, {0, 0, -1e6});
     const auto solver = startedSolver(model);

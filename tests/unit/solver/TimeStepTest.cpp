@@ -31,7 +31,7 @@ TEST(TimeStep, ContactLimitIsHonouredWhateverThePenalty)
     }
 }
 
-TEST(TimeStep, AFixedStepGoesBeyondTheBoundOnlyWhereToldTo)
+TEST(TimeStep, AFixedStepGoesBeyondTheBoundOnlyWhereAllowed)
 {
     Model model = fall(1);
     const auto plain = startedSolver(fall(1));
@@ -47,7 +47,7 @@ TEST(TimeStep, AFixedStepGoesBeyondTheBoundOnlyWhereToldTo)
     EXPECT_EQ(going->clock().steps, 5);
 }
 
-TEST(TimeStep, SearchesAsOftenAsToldTo)
+TEST(TimeStep, SearchesAsOftenAsRequested)
 {
     Model model = fall(1);
     model.control.searchInterval = 7;

@@ -12,14 +12,14 @@
 
 namespace fpm::test {
 
-/// Faces and free points, without a mesh behind them: what the search and the tracker say of a
-/// point, and what trying every face says.
+/// Faces and free points without a mesh: results of the search and of the tracker for a point, and
+/// of a test of every face.
 class SearchScene
 {
 public:
     using Pair = ContactPassView<DoublePrecision>;
 
-    /// One pass from target nodes, faces of them and points to be asked about.
+    /// One pass from target nodes, faces of them and query points.
     SearchScene(std::vector<Point> nodes,
                 const std::vector<std::array<Index, 4>>& faces,
                 const std::vector<Point>& queries,

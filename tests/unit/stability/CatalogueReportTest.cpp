@@ -21,7 +21,7 @@ std::string textOf(const std::filesystem::path& file)
     return text.str();
 }
 
-TEST(Catalogue, HasEveryNumberAndSaysWhyAWayLoses)
+TEST(Catalogue, HasEveryNumberAndSaysWhyAVariantLoses)
 {
     std::set<int> numbers;
     std::set<std::string> names;

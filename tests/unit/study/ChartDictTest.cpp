@@ -104,7 +104,7 @@ TEST_F(ChartDictTest, TheAnnotatedDictionaryShowsEveryKeyTheReaderAsksFor)
 TEST_F(ChartDictTest, SuggestsTheEntryThatWasMeant)
 {
     EXPECT_TRUE(contains(answer("entry controlDict.precison; values (double);"),
-                         "system/controlDict knows no 'precison'"));
+                         "system/controlDict has no entry 'precison'"));
     EXPECT_TRUE(contains(answer("entry controlDict.precison; values (double);"),
                          "did you mean 'precision'?"));
     EXPECT_TRUE(contains(answer("entry controlDict.timeStep.saftey; values (0.5);"),
@@ -183,7 +183,7 @@ TEST_F(ChartDictTest, KnowsTheEntriesThatAFixedFolderBrings)
         read("charts { c { fixed { q { overlay \"variants/quarter\"; } } " + ladders + rest).size(),
         1u);
     EXPECT_TRUE(contains(refusal([&] { read("charts { c { " + ladders + rest); }),
-                         "system/meshDict knows no 'cells'"));
+                         "system/meshDict has no entry 'cells'"));
 }
 
 TEST_F(ChartDictTest, RefusesRowsNamesAndStepsThatAreNotOneAValue)

@@ -93,7 +93,7 @@ TEST_F(ChartTest, AdvisesTheCheapestWithinTheTolerance)
                          "at 2560 element-steps"));
 }
 
-TEST_F(ChartTest, AdvisesNoRungThatCrossesTheReferenceOnItsWayElsewhere)
+TEST_F(ChartTest, AdvisesNoRungThatOnlyCrossesTheReference)
 {
     // y = t + 1/n^2 passes t + 0.27 at n = 2 and ends 0.21 below it.
     const std::string reference = "expression \"t + 0.27\";";

@@ -6,17 +6,18 @@
 
 namespace fpm {
 
-/// How one contactor in touch stands to its target. It only reads what the force pass left.
-struct Touch {
-    double weight = 1;    ///< of a whole contactor; half of it lies on a plane of symmetry
-    double depth = 0;     ///< of the contactor inside the target, overlaps that are forgiven too
-    double thickness = 0; ///< of the target there; 0: it has none
-    double normal = 0;    ///< force of its normal spring
+/// Contact state of one contactor in contact. Reads the results of ContactForce only.
+struct ContactStatus {
+    double weight = 1;    ///< 1 for a whole contactor, halved for each symmetry plane on which it
+                          ///< lies
+    double depth = 0;     ///< of the contactor inside the target, forgiven initial depths included
+    double thickness = 0; ///< of the target there; 0: unlimited
+    double normal = 0;    ///< force of the normal penalty spring
     Vec3<double> friction{0, 0, 0}; ///< force on the contactor
-    Vec3<double> slip{0, 0, 0};     ///< velocity against the target, along it
+    Vec3<double> slip{0, 0, 0};     ///< relative velocity in the tangential plane
 };
 
-/// Normal force of a spring whose energy is known with its tangential force.
+/// Normal force from the stored energy of a contact spring and its tangential force.
 template <class Work>
 FPM_KERNEL double
 normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
@@ -29,7 +30,7 @@ normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<do
     return energy > 0 ? squareRoot(2 * stiffness * energy) : 0;
 }
 
-/// Half for each plane of symmetry, a bit each.
+/// Weight of a contactor: half for each symmetry plane, one bit each.
 FPM_KERNEL double weightOn(unsigned planes)
 {
     double weight = 1;
@@ -43,13 +44,13 @@ FPM_KERNEL Vec3<double> inDoubles(const Vec3<Work>& v)
     return {double(v.x), double(v.y), double(v.z)};
 }
 
-/// Touch of a contactor with faces.
+/// Contact state of a contactor against faces.
 template <class Numbers>
-struct FaceTouch {
+struct FaceStatus {
     using Work = typename Numbers::Work;
     ContactPassView<Numbers> pass;
 
-    FPM_KERNEL bool operator()(Index i, Touch& out) const
+    FPM_KERNEL bool operator()(Index i, ContactStatus& out) const
     {
         const PassLaw<Work>& law = pass.law;
         const Index face = pass.face[i];
@@ -78,13 +79,13 @@ struct FaceTouch {
     }
 };
 
-/// Touch of a contactor with an analytic surface.
+/// Contact state of a contactor against an analytic surface.
 template <class Numbers>
-struct SurfaceTouch {
+struct SurfaceStatus {
     using Work = typename Numbers::Work;
     SurfaceForce<Numbers> surface;
 
-    FPM_KERNEL bool operator()(Index i, Touch& out) const
+    FPM_KERNEL bool operator()(Index i, ContactStatus& out) const
     {
         const SurfaceForce<Numbers>& s = surface;
         if (!(s.law.spring[i] > 0)) return false;
@@ -111,74 +112,74 @@ struct SurfaceTouch {
     }
 };
 
-/// Order of the values a block of TouchSums writes.
-enum TouchValue {
-    touchCount,  ///< contactors in touch
-    touchWeight, ///< sums over them, up to touchSums
-    touchDepth,  ///< times weight
-    touchNormal,
-    touchFriction,
-    touchSlip = touchFriction + 3, ///< times weight
-    touchSpeed = touchSlip + 3,    ///< length of the slip, times weight
-    touchSums,
-    touchDeepest = touchSums, ///< the largest depth, whose it is, thickness of its target
-    touchContactor,
-    touchThickness,
-    touchValues
+/// Order of the values a block of StatusSums writes.
+enum StatusValue {
+    statusCount,  ///< contactors in contact
+    statusWeight, ///< sums over them, up to statusSums
+    statusDepth,  ///< times weight
+    statusNormal,
+    statusFriction,
+    statusSlip = statusFriction + 3, ///< times weight
+    statusSpeed = statusSlip + 3,    ///< slip rate times weight
+    statusSums,
+    statusDeepest = statusSums, ///< largest depth, its contactor, thickness of the target there
+    statusContactor,
+    statusThickness,
+    statusValues
 };
 
-/// Adds up Touch over the contactors of a pass and finds the deepest; one block = contactBlock of
-/// them.
+/// Sums the contact status over the contactors of a pass and finds the deepest; one block =
+/// contactBlock of them.
 template <class Source>
-struct TouchSums {
+struct StatusSums {
     Index count;
     Source source;
-    double* blockValues; ///< [block][touchValues]
+    double* blockValues; ///< [block][statusValues]
 
     static constexpr std::size_t scratch()
     {
-        return (touchSums + 2) * contactBlock * sizeof(double) + blockSumScratch(touchSums);
+        return (statusSums + 2) * contactBlock * sizeof(double) + blockSumScratch(statusSums);
     }
 
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index number) const
     {
         double* values = reinterpret_cast<double*>(team.scratch());
-        double* deepest = values + touchSums * contactBlock; // depth and thickness of each
+        double* deepest = values + statusSums * contactBlock; // depth and thickness of each
         double* partial = deepest + 2 * contactBlock;
         const Index first = number * contactBlock,
                     size = count - first < contactBlock ? count - first : contactBlock;
         team.forEach(size, [&](Index i) {
-            Touch touch;
-            const bool touches = source(first + i, touch);
-            const double w = touches ? touch.weight : 0;
-            const double all[touchSums] = {touches ? 1.0 : 0.0,
-                                           w,
-                                           w * touch.depth,
-                                           touch.normal,
-                                           touch.friction.x,
-                                           touch.friction.y,
-                                           touch.friction.z,
-                                           w * touch.slip.x,
-                                           w * touch.slip.y,
-                                           w * touch.slip.z,
-                                           w * squareRoot(dot(touch.slip, touch.slip))};
-            for (int k = 0; k < touchSums; ++k) values[k * contactBlock + i] = all[k];
-            deepest[i] = touch.depth;
-            deepest[contactBlock + i] = touch.thickness;
+            ContactStatus status;
+            const bool closed = source(first + i, status);
+            const double w = closed ? status.weight : 0;
+            const double all[statusSums] = {closed ? 1.0 : 0.0,
+                                            w,
+                                            w * status.depth,
+                                            status.normal,
+                                            status.friction.x,
+                                            status.friction.y,
+                                            status.friction.z,
+                                            w * status.slip.x,
+                                            w * status.slip.y,
+                                            w * status.slip.z,
+                                            w * squareRoot(dot(status.slip, status.slip))};
+            for (int k = 0; k < statusSums; ++k) values[k * contactBlock + i] = all[k];
+            deepest[i] = status.depth;
+            deepest[contactBlock + i] = status.thickness;
         });
         team.barrier();
-        blockSums(team, touchSums, size, values, contactBlock, partial);
+        blockSums(team, statusSums, size, values, contactBlock, partial);
         team.barrier();
-        double* out = blockValues + std::size_t(number) * touchValues;
-        team.forEach(touchSums, [=](Index k) { out[k] = blockSumResult(partial, int(k)); });
+        double* out = blockValues + std::size_t(number) * statusValues;
+        team.forEach(statusSums, [=](Index k) { out[k] = blockSumResult(partial, int(k)); });
         team.forEach(1, [=](Index) {
             Index at = 0;
             for (Index i = 1; i < size; ++i)
                 if (deepest[i] > deepest[at]) at = i;
-            out[touchDeepest] = deepest[at];
-            out[touchContactor] = double(first + at);
-            out[touchThickness] = deepest[contactBlock + at];
+            out[statusDeepest] = deepest[at];
+            out[statusContactor] = double(first + at);
+            out[statusThickness] = deepest[contactBlock + at];
         });
     }
 };

@@ -20,29 +20,29 @@ Model pushed(double depth, const std::string& precision = "double")
     return model;
 }
 
-TEST(PairTouch, TellsTheDeepestContactorAndTheMeanOfThoseInTouch)
+TEST(PairStatus, TellsTheDeepestContactorAndTheMeanOfThoseInTouch)
 {
     for (const std::string precision : {"double", "single"}) {
         Model model = pushed(0.02, precision);
         const auto solver = startedSolver(model);
-        const PairTouch touch = solver->contact().touch(0);
-        EXPECT_EQ(touch.active, 30);
-        EXPECT_EQ(touch.active, solver->contact().force(0).active);
-        EXPECT_NEAR(touch.maxDepth, 0.02, 1e-6);
-        EXPECT_NEAR(touch.meanDepth, 0.02, 1e-6);
-        EXPECT_NEAR(touch.thickness, 1, 1e-6); // four layers of 4 mm
-        ASSERT_GE(touch.deepest, 0);
-        EXPECT_NEAR(depthOf(*solver, touch.deepest), touch.maxDepth, 1e-6);
+        const PairStatus status = solver->contact().status(0);
+        EXPECT_EQ(status.active, 30);
+        EXPECT_EQ(status.active, solver->contact().force(0).active);
+        EXPECT_NEAR(status.maxDepth, 0.02, 1e-6);
+        EXPECT_NEAR(status.meanDepth, 0.02, 1e-6);
+        EXPECT_NEAR(status.thickness, 1, 1e-6); // four layers of 4 mm
+        ASSERT_GE(status.deepest, 0);
+        EXPECT_NEAR(depthOf(*solver, status.deepest), status.maxDepth, 1e-6);
         // Nothing slips yet: the force of the pair is that of its normal springs.
-        EXPECT_NEAR(touch.normal, solver->contact().force(0).force[2], 1e-5 * touch.normal);
-        EXPECT_EQ(touch.speed, 0);
+        EXPECT_NEAR(status.normal, solver->contact().force(0).force[2], 1e-5 * status.normal);
+        EXPECT_EQ(status.speed, 0);
     }
 }
 
-TEST(PairTouch, HalfAModelTellsTheMeansOfTheWhole)
+TEST(PairStatus, HalfAModelTellsTheMeansOfTheWhole)
 {
     // A block tilted about the axis across the plane of symmetry x = 0: depths of 0.01 to 0.03.
-    const auto touchOf = [](bool half) {
+    const auto statusOf = [](bool half) {
         Model model;
         addBox(model.mesh, "block", {half ? 2 : 4, 2, 2}, {half ? 0.0 : -2.0, 0, 0},
                {half ? 2.0 : 4.0, 2, 2});
@@ -65,9 +65,9 @@ TEST(PairTouch, HalfAModelTellsTheMeansOfTheWhole)
         }
         model.control.backend = "serial";
         model.control.endTime = 1;
-        return startedSolver(model)->contact().touch(0);
+        return startedSolver(model)->contact().status(0);
     };
-    const PairTouch whole = touchOf(false), half = touchOf(true);
+    const PairStatus whole = statusOf(false), half = statusOf(true);
     EXPECT_EQ(whole.active, 15);
     EXPECT_EQ(half.active, 9);
     EXPECT_NEAR(whole.meanDepth, 0.01 + 0.01 * 6 / 5, 1e-12);
@@ -76,37 +76,37 @@ TEST(PairTouch, HalfAModelTellsTheMeansOfTheWhole)
     EXPECT_NEAR(2 * half.normal, whole.normal, 1e-9 * whole.normal);
 }
 
-TEST(PairTouch, SlidingDeliversCoulombsFriction)
+TEST(PairStatus, SlidingDeliversCoulombsFriction)
 {
     const Part part = aluminium(PartKind::elastic, HourglassForm::stiffness);
     Model model = twoBlocks(part, part, {2e4, 0, -1e4}, 0.3);
     holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -3.99; }));
     const auto solver = startedSolver(model);
     solver->advance(1e-6, 100000);
-    const PairTouch touch = solver->contact().touch(0);
+    const PairStatus status = solver->contact().status(0);
     const PairForce force = solver->contact().force(0);
-    ASSERT_GT(touch.normal, 0);
-    EXPECT_GT(touch.slip[0], 0.5 * 2e4);
-    EXPECT_NEAR(touch.friction[0], -0.3 * touch.normal, 0.02 * touch.normal);
-    EXPECT_NEAR(touch.friction[0], force.force[0], 0.02 * touch.normal);
-    EXPECT_GE(touch.maxDepth, touch.meanDepth);
+    ASSERT_GT(status.normal, 0);
+    EXPECT_GT(status.slip[0], 0.5 * 2e4);
+    EXPECT_NEAR(status.friction[0], -0.3 * status.normal, 0.02 * status.normal);
+    EXPECT_NEAR(status.friction[0], force.force[0], 0.02 * status.normal);
+    EXPECT_GE(status.maxDepth, status.meanDepth);
 }
 
-TEST(PairTouch, AskingChangesNoBit)
+TEST(PairStatus, AskingChangesNoBit)
 {
     const Part part = aluminium(PartKind::elastic, HourglassForm::stiffness);
     const Model model = twoBlocks(part, part, {2e4, 0, -1e5}, 0.3);
     const auto asked = startedSolver(model), silent = startedSolver(model);
     for (int step = 0; step < 200; ++step) {
         asked->advance(1, 1);
-        asked->contact().touch(0);
+        asked->contact().status(0);
         asked->ledger().energies();
         silent->advance(1, 1);
     }
     EXPECT_EQ(stateChecksum(*asked), stateChecksum(*silent));
 }
 
-TEST(PairTouch, AnAnalyticSurfaceHasDepthAndNoThickness)
+TEST(PairStatus, AnAnalyticSurfaceHasDepthAndNoThickness)
 {
     Model model;
     addBox(model.mesh, "block", {2, 2, 2}, {0, 0, -0.05}, {2, 2, 2});
@@ -121,11 +121,11 @@ TEST(PairTouch, AnAnalyticSurfaceHasDepthAndNoThickness)
     model.control.backend = "serial";
     model.control.endTime = 1;
     const auto solver = startedSolver(model);
-    const PairTouch touch = solver->contact().touch(0);
-    EXPECT_EQ(touch.active, 9);
-    EXPECT_NEAR(touch.maxDepth, 0.05, 1e-12);
-    EXPECT_EQ(touch.thickness, 0);
-    EXPECT_NEAR(touch.normal, solver->contact().force(0).force[2], 1e-9 * touch.normal);
+    const PairStatus status = solver->contact().status(0);
+    EXPECT_EQ(status.active, 9);
+    EXPECT_NEAR(status.maxDepth, 0.05, 1e-12);
+    EXPECT_EQ(status.thickness, 0);
+    EXPECT_NEAR(status.normal, solver->contact().force(0).force[2], 1e-9 * status.normal);
 }
 
 } // namespace
