@@ -10,6 +10,9 @@ target_compile_options(fpmFlags INTERFACE
     "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Werror;-ffp-contract=off;\
 -fno-math-errno;-fno-tree-slp-vectorize;-march=x86-64-v3>>"
     "$<INSTALL_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-fno-tree-slp-vectorize>>")
+# A mask of one number is bool, and & stands between masks of any width.
+target_compile_options(fpmFlags INTERFACE
+    $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Programs look for libraries beside them too, and so do those libraries (RPATH, not RUNPATH): a folder
 # with bin/ and lib/ runs where it is put (etc/gpuBundle).

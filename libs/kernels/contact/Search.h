@@ -60,6 +60,8 @@ struct InBlocks {
         if (node >= 0 && node < nodeCount) kernel(node);
     }
 };
+template <class Kernel>
+InBlocks(NodeBlocks, Index, Kernel) -> InBlocks<Kernel>;
 
 /// Runs a kernel that a search needs, only where there is a search.
 template <class Kernel>
@@ -71,6 +73,8 @@ struct WhereSearched {
         if (blocks.any()) kernel(i);
     }
 };
+template <class Kernel>
+WhereSearched(NodeBlocks, Kernel) -> WhereSearched<Kernel>;
 
 /// Enters the result of a search into the slots of one node.
 template <class Numbers>

@@ -237,9 +237,9 @@ FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& 
 
 /// The reference element beside FPM-H8R: 2 x 2 x 2 Gauss points with the mean dilatation of the
 /// element at each of them (B-bar: Nagtegaal, Parks and Rice 1974; Hughes 1980), so that neither
-/// incompressible elasticity nor plastic flow locks. No mode is without strain: there is no
-/// hourglass control. Every point turns with its own mid-step spin (Hughes and Winget 1980), the
-/// Jaumann rate, which knows no bottom and top. Bending with one element through the thickness is
+/// incompressible elasticity nor plastic flow locks. No mode is without strain, hence there is no
+/// hourglass control. Every point rotates with its own mid-step spin (Hughes and Winget 1980), the
+/// Jaumann rate, which has no preferred surface. Bending with one element through the thickness is
 /// too stiff, as for every element of this kind.
 struct SelectiveHexahedron {
     using Shape = HexahedronShape;
