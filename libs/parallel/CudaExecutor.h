@@ -70,8 +70,8 @@ __global__ void __launch_bounds__(threadsPerBlock) launchEach(Index count, Kerne
     if (i < count) kernel(i);
 }
 
-/// Threads of a block, and blocks that a multiprocessor should hold at once, where a kernel states them:
-/// registers are shared.
+/// Threads of a block, and blocks that a multiprocessor should hold at once, where a kernel states
+/// them: registers are shared.
 template <class Kernel>
 constexpr int threadsOf()
 {

@@ -12,7 +12,7 @@ namespace fpm {
 //     word       of `penalty` in a dictionary
 //     bothSides  whether the contactor's own stiffness counts; otherwise only at rigid faces
 //     byMass     k = s m / dt^2 of the masses instead of s K A^2 / V of the elements
-//     stiffness  of the spring where both sides can give way
+//     stiffness  of the spring where both sides are deformable
 // and stands in the list PenaltyRules.
 
 struct TargetPenalty {
