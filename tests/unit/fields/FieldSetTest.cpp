@@ -13,7 +13,7 @@ struct Contactors : FieldSet {
     }
     Field<Index> face{*this, {"face", Location::contactor, Role::state}};
     NumberField xi{
-        *this, {"xi", Location::contactor, Role::state, Renewal::keptInTouch}, Family::work};
+        *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
     Field<double> work{*this, {"work", Location::contactor, Role::state, Renewal::kept}};
     NumberField stiffness{*this, {"stiffness", Location::contactor, Role::constant}, Family::work};
     Field<double> sums{*this, {"sums", Location::block, Role::scratch}};
