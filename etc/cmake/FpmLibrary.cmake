@@ -25,14 +25,16 @@ function(fpmLibrary name)
     endif()
 endfunction()
 
-# fpmCudaObjects(target source...): kernels for the GPU. No contraction there either, so that the bits
-# agree. CMake 3.25.1 takes the C++ standard for CUDA too and cannot ask nvcc for 20: a target of its
-# own, by flag.
+# Of nvcc for kernels: no contraction there either, so that the bits agree.
+set(fpmCudaFlags -std=c++20 --fmad=false --expt-relaxed-constexpr --Werror=all-warnings
+    -Xcompiler=-march=x86-64-v3,-ffp-contract=off,-fno-math-errno,-fno-tree-slp-vectorize)
+
+# fpmCudaObjects(target source...): kernels for the GPU. CMake 3.25.1 takes the C++ standard for CUDA too
+# and cannot ask nvcc for 20: a target of its own, by flag.
 function(fpmCudaObjects target)
     add_library(${target} OBJECT ${ARGN})
     set_property(TARGET ${target} PROPERTY CXX_STANDARD)
     set_target_properties(${target} PROPERTIES CXX_STANDARD_REQUIRED OFF CXX_EXTENSIONS ON)
     target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/libs)
-    target_compile_options(${target} PRIVATE -std=c++20 --fmad=false --expt-relaxed-constexpr
-        --Werror=all-warnings -Xcompiler=-march=x86-64-v3,-ffp-contract=off,-fno-math-errno,-fno-tree-slp-vectorize)
+    target_compile_options(${target} PRIVATE ${fpmCudaFlags})
 endfunction()

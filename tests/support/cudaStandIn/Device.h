@@ -55,6 +55,11 @@ struct Known {
         addKernel(typeid(void(Expected...)), argumentBytes<Expected...>());
 };
 
+/// One thread of a kernel, given where its arguments lie.
+using Body = void (*)(const unsigned char* const* arguments);
+/// Not null: what runs in the place of the kernel at this address (tests/gpu/ptx).
+inline Body (*replacement)(const void* kernel) = nullptr;
+
 /// A kernel with its arguments, to be run later, perhaps often.
 struct Launch {
     dim3 grid, block;

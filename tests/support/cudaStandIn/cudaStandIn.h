@@ -128,6 +128,23 @@ cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t begin, cudaEve
 namespace cudaStandIn {
 
 cudaError_t enqueue(const cudaLaunchConfig_t& config, Launch launch);
+
+/// What each thread of a launch does: the kernel as this compiler made it, or its replacement.
+template <class... Expected>
+std::function<void()> threadOf(void (*kernel)(Expected...),
+                               const std::tuple<Expected...>& arguments)
+{
+    if (!replacement) return [kernel, arguments] { std::apply(kernel, arguments); };
+    return [body = replacement(reinterpret_cast<const void*>(kernel)), arguments] {
+        std::apply(
+            [body](const Expected&... argument) {
+                const unsigned char* const places[] = {
+                    reinterpret_cast<const unsigned char*>(&argument)...};
+                body(places);
+            },
+            arguments);
+    };
+}
 cudaError_t allowSharedBytes(const void* kernel, cudaFuncAttribute attribute, int bytes);
 
 } // namespace cudaStandIn
@@ -157,6 +174,6 @@ cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config,
             (launch.addWords(&argument, sizeof argument), ...);
         },
         arguments);
-    launch.thread = [kernel, arguments] { std::apply(kernel, arguments); };
+    launch.thread = cudaStandIn::threadOf(kernel, arguments);
     return cudaStandIn::enqueue(*config, std::move(launch));
 }
