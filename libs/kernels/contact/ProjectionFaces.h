@@ -114,14 +114,15 @@ private:
         const int corner =
             projection.xi > 0 ? (projection.eta > 0 ? 2 : 1) : (projection.eta > 0 ? 3 : 0);
         const Index node = pass.faceNode[4 * std::size_t(projection.face) + std::size_t(corner)];
-        pass.visitAround(projection.face, corner, [&](Index other) {
-            const Index* nodes = pass.faceNode + 4 * std::size_t(other);
-            int c = 0;
-            while (c < 3 && nodes[c] != node) ++c;
-            return other == projection.face
-                   || visitPlace({other, Work(c == 1 || c == 2 ? 1 : -1), Work(c > 1 ? 1 : -1)},
-                                 visit);
-        });
+        pass.visitAround(
+            projection.face, corner, [&](Index other) __attribute__((always_inline)) {
+                const Index* nodes = pass.faceNode + 4 * std::size_t(other);
+                int c = 0;
+                while (c < 3 && nodes[c] != node) ++c;
+                return other == projection.face
+                       || visitPlace({other, Work(c == 1 || c == 2 ? 1 : -1), Work(c > 1 ? 1 : -1)},
+                                     visit);
+            });
     }
     template <class Visit>
     FPM_KERNEL bool visitPlace(const Place<Work>& place, const Visit& visit) const

@@ -81,10 +81,11 @@ struct RidgeFaces {
         adjacent[0] = true;
         const int corner = at.xi > 0 ? (at.eta > 0 ? 2 : 1) : (at.eta > 0 ? 3 : 0);
         const Work square = at.gap * at.gap;
-        pass.visitAround(first, corner, [&](Index other) {
-            if (other != first && pass.mayTouch(i, other)) add(pass, i, other, square);
-            return count < most;
-        });
+        pass.visitAround(
+            first, corner, [&](Index other) __attribute__((always_inline)) {
+                if (other != first && pass.mayTouch(i, other)) add(pass, i, other, square);
+                return count < most;
+            });
     }
 
     /// Image of a force on the first face at another: mirrored in the plane midway between two

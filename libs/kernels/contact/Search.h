@@ -155,13 +155,14 @@ struct FindFace {
         const int slots = int(pass.contactorCount / pass.nodeCount);
         Index partner[mostPartners];
         int partners = 0;
-        cells.forEachFace(pass, pass.contactor[node], [&](Index face) {
-            Candidate<Work> candidate;
-            if (!isPartner(pass, node, face, candidate)) return;
-            found.add(candidate, pass.componentOf(face), slots);
-            if (partners < mostPartners) partner[partners] = face;
-            ++partners;
-        });
+        cells.forEachFace(
+            pass, pass.contactor[node], [&](Index face) __attribute__((always_inline)) {
+                Candidate<Work> candidate;
+                if (!isPartner(pass, node, face, candidate)) return;
+                found.add(candidate, pass.componentOf(face), slots);
+                if (partners < mostPartners) partner[partners] = face;
+                ++partners;
+            });
         SlotChoice<Numbers>{pass, node}.enter(found, around(node, found, partner, partners));
     }
 
@@ -221,13 +222,13 @@ struct FindClosestParticle {
             return; // the faces around it are known, and each step projects onto all of them
         NearestFaces<Work> found;
         if (closest >= 0)
-            pass.visitAround(pass.targetCorner[closest] / 4, pass.targetCorner[closest] % 4,
-                             [&](Index face) {
-                                 Candidate<Work> candidate;
-                                 if (isPartner(pass, i, face, candidate))
-                                     found.add(candidate, 0, 1);
-                                 return true;
-                             });
+            pass.visitAround(
+                pass.targetCorner[closest] / 4,
+                pass.targetCorner[closest] % 4, [&](Index face) __attribute__((always_inline)) {
+                    Candidate<Work> candidate;
+                    if (isPartner(pass, i, face, candidate)) found.add(candidate, 0, 1);
+                    return true;
+                });
         SlotChoice<Numbers>{pass, i}.enter(found, aroundCurved);
     }
 

@@ -112,26 +112,30 @@ private:
     {
         Vec3<Work> sum{0, 0, 0};
         const Index node = pass.faceNode[4 * std::size_t(face) + std::size_t(corner)];
-        pass.visitAround(face, corner, [&](Index number) {
-            const FaceCorners<Work> f = corners(number);
-            const int c = cornerOf(number, node);
-            const Vec3<Work> normal = cornerNormal(f, c);
-            if (number != face && isNotOpposing(pass, contactor, normal)) return true;
-            const Vec3<Work> a = f.corner[(c + 1) & 3] - f.corner[c],
-                             b = f.corner[(c + 3) & 3] - f.corner[c];
-            const Work sizes = dot(a, a) * dot(b, b);
-            if (sizes > 0) sum = multiplyAdd(arcCosine(dot(a, b) / squareRoot(sizes)), normal, sum);
-            for (int e = c; e < c + 4; e += 3) {
-                const Index across = pass.neighbour[4 * std::size_t(number) + std::size_t(e & 3)];
-                const bool ends = across == freeEdge
-                                  || (across >= 0 && across / 4 != face
-                                      && isNotOpposing(pass, contactor,
-                                                       cornerNormal(corners(across / 4),
-                                                                    cornerOf(across / 4, node))));
-                if (ends) beyond = trim(f, e & 3, normal, offset) || beyond;
-            }
-            return true;
-        });
+        pass.visitAround(
+            face, corner, [&](Index number) __attribute__((always_inline)) {
+                const FaceCorners<Work> f = corners(number);
+                const int c = cornerOf(number, node);
+                const Vec3<Work> normal = cornerNormal(f, c);
+                if (number != face && isNotOpposing(pass, contactor, normal)) return true;
+                const Vec3<Work> a = f.corner[(c + 1) & 3] - f.corner[c],
+                                 b = f.corner[(c + 3) & 3] - f.corner[c];
+                const Work sizes = dot(a, a) * dot(b, b);
+                if (sizes > 0)
+                    sum = multiplyAdd(arcCosine(dot(a, b) / squareRoot(sizes)), normal, sum);
+                for (int e = c; e < c + 4; e += 3) {
+                    const Index across =
+                        pass.neighbour[4 * std::size_t(number) + std::size_t(e & 3)];
+                    const bool ends =
+                        across == freeEdge
+                        || (across >= 0 && across / 4 != face
+                            && isNotOpposing(
+                                pass, contactor,
+                                cornerNormal(corners(across / 4), cornerOf(across / 4, node))));
+                    if (ends) beyond = trim(f, e & 3, normal, offset) || beyond;
+                }
+                return true;
+            });
         return sum;
     }
 

@@ -182,11 +182,12 @@ private:
         }
         const Index start = here.face;
         here.point = closestPoint(corners, Work(0), Work(0));
-        pass.visitAround(start, nearest, [&](Index face) {
-            bool ridge = false;
-            if (face != start) moved(i, face, here, corners, ridge);
-            return true;
-        });
+        pass.visitAround(
+            start, nearest, [&](Index face) __attribute__((always_inline)) {
+                bool ridge = false;
+                if (face != start) moved(i, face, here, corners, ridge);
+                return true;
+            });
     }
 
     /// Moves to a face that is nearer by more than rounding. Of faces that share the projection
@@ -238,10 +239,11 @@ private:
                 if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
             }
             bool any = false;
-            pass.visitAround(here.face, corner, [&](Index face) {
-                any = moved(i, face, here, corners, ridge);
-                return !any;
-            });
+            pass.visitAround(
+                here.face, corner, [&](Index face) __attribute__((always_inline)) {
+                    any = moved(i, face, here, corners, ridge);
+                    return !any;
+                });
             return any;
         }
         Index across[2];
@@ -310,12 +312,13 @@ private:
     {
         const Index body = pass.componentOf(here.face);
         Candidate<Work> best{noFace, {}, 0};
-        cells.forEachFace(pass, pass.contactor[i], [&](Index face) {
-            Candidate<Work> other;
-            if (face != here.face && pass.componentOf(face) == body
-                && isPartner(pass, i, face, other) && (best.face < 0 || isNearer(other, best)))
-                best = other;
-        });
+        cells.forEachFace(
+            pass, pass.contactor[i], [&](Index face) __attribute__((always_inline)) {
+                Candidate<Work> other;
+                if (face != here.face && pass.componentOf(face) == body
+                    && isPartner(pass, i, face, other) && (best.face < 0 || isNearer(other, best)))
+                    best = other;
+            });
         if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
         here = best;
         corners = pass.corners(here.face, pass.contactor[i]);
