@@ -32,4 +32,8 @@ struct LaunchContext;
 template <class Numbers, class Executor>
 std::unique_ptr<ContactLaunches> makeContactLaunches(const LaunchContext<Executor>& context);
 
+/// Forces of contactors on faces in one pass; likewise, since these are the largest kernels.
+template <class Numbers, bool friction, class Executor>
+void launchFaceForces(const LaunchContext<Executor>& on, std::size_t pass);
+
 } // namespace fpm

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ContactForce.h"
+#include "kernels/contact/ContactLimit.h"
 #include "kernels/contact/ContactStatus.h"
 #include "kernels/contact/NodeGap.h"
 #include "kernels/contact/Overlap.h"
@@ -28,9 +28,9 @@ public:
             if (setUp(pass).surface >= 0)
                 on_.executor.parallelFor(contactors(pass), surfaceForce(pass));
             else if (setUp(pass).law.friction > 0)
-                faceForces<true>(pass);
+                launchFaceForces<Numbers, true>(on_, pass);
             else
-                faceForces<false>(pass);
+                launchFaceForces<Numbers, false>(on_, pass);
         NodeFields& n = on_.fields.nodes;
         using Limit = ContactLimit<Motion>;
         on_.executor.parallelBlocks(Index(c.bound.size()), Limit::scratch(),
@@ -88,12 +88,6 @@ public:
     }
 
 private:
-    template <bool friction>
-    void faceForces(std::size_t pass)
-    {
-        on_.executor.parallelBlocks(blocks(pass), 0,
-                                    ContactForce<Numbers, friction>{view(pass), cells(pass)});
-    }
     SurfaceForce<Numbers> surfaceForce(std::size_t pass)
     {
         PassFields& f = fields(pass);
