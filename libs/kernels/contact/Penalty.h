@@ -42,7 +42,7 @@ struct PassLaw {
         if (!contactorStiffness) return face;
         const Work own = contactorStiffness[i];
         if (!(face > 0)) return own;
-        return own > 0 ? springStiffness(rule, own, face) : face;
+        return own > 0 ? springStiffness(PenaltyRules{}, rule, own, face) : face;
     }
     /// m*: the lesser mass of contactor and face, of the sides that can move.
     FPM_KERNEL Work lesserMass(Index i, Work face) const

@@ -65,12 +65,13 @@ inline constexpr auto penaltyEntries = []<class... R>(TypeList<R...>) {
         PenaltyEntry{R::word, R::bothSides, R::byMass}...};
 }(PenaltyRules{});
 
-/// Stiffness of a spring by rule number `rule`.
-template <class Work>
-FPM_KERNEL Work springStiffness(int rule, Work own, Work face)
+/// Stiffness of a spring by rule number `rule` of the list.
+template <class Work, class... Rules>
+FPM_KERNEL Work springStiffness(TypeList<Rules...>, int rule, Work own, Work face)
 {
     Work stiffness = face;
-    PenaltyRules::visit(rule, [&]<class Rule>() { stiffness = Rule::stiffness(own, face); });
+    int number = 0;
+    ((stiffness = number++ == rule ? Rules::stiffness(own, face) : stiffness), ...);
     return stiffness;
 }
 

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-// Drucker-Prager and Zerilli-Armstrong through the solver.
+// Drucker-Prager through the solver; MaterialsTest has every law in every vector width.
 
 namespace fpm::test {
 namespace {
@@ -43,7 +43,7 @@ void holdPlanes(Model& model)
 
 } // namespace
 
-// 2 c sqrt(N), N = (1 + sin phi) / (1 - sin phi), where nothing bears the sides.
+// N sigma_side - 2 c sqrt(N), N = (1 + sin phi) / (1 - sin phi), where the sides are free.
 TEST(DruckerPragerElement, IsCrushedAtTheStrengthOfMohrAndCoulomb)
 {
     for (const HexahedronForm form : {HexahedronForm::reduced, HexahedronForm::selective})
@@ -56,39 +56,39 @@ TEST(DruckerPragerElement, IsCrushedAtTheStrengthOfMohrAndCoulomb)
             const auto solver = startedSolver(model);
             solver->advance(8e-4, 100000);
             const ElementValues values = solver->elements().values();
-            EXPECT_NEAR(values.stress[2], -4 * std::sqrt(3), 1e-3 * 7);
-            EXPECT_NEAR(values.stress[0], 0, 1e-3 * 7);
+            // What inertia and bulk viscosity leave on the sides counts N = 3 times.
+            const double strength = 4 * std::sqrt(3);
+            EXPECT_NEAR(values.stress[2] - 3 * values.stress[0], -strength, 1e-9 * strength);
+            EXPECT_NEAR(values.stress[0], values.stress[1], 1e-9 * strength);
+            EXPECT_NEAR(values.stress[0], 0, 2e-3 * strength);
             EXPECT_GT(values.plasticStrain[0], 0.008);
             EXPECT_LT(std::abs(solver->ledger().energies().balance), 1e-3);
         }
 }
 
-// A bar of one element in height, bent far beyond yield: it bears a bounded moment, without
-// hourglassing and with its energies in balance.
-TEST(DruckerPragerBlock, BendsWithoutHourglassing)
+// A bar bent far beyond yield. With one element in height it bears the plastic moment of the
+// section (DruckerPragerTest), with four that of their stretch; no hourglassing takes part in
+// either.
+TEST(DruckerPragerBlock, BendsWithOneLayerAsWithFour)
 {
-    const auto bent = [](const Part& part, Index layers, double& hourglass) {
+    const auto work = [](const Part& part, Index layers) {
         Model model = boxModel({10, 2, layers}, {10, 2, 1}, part);
         holdFixed(model, at(model.mesh, 0, 0));
-        const auto tip = at(model.mesh, 0, 10);
         model.boundaryConditions.push_back(
-            condition(Kind::velocity, "bend", tip, {false, false, true}, {0, 0, 1000},
-                      {Amplitude::Kind::smooth, {{0, 0}, {2e-4, 1}}}));
+            condition(Kind::velocity, "bend", at(model.mesh, 0, 10), {false, false, true},
+                      {0, 0, 1000}, {Amplitude::Kind::smooth, {{0, 0}, {2e-4, 1}}}));
         const auto solver = startedSolver(model);
         solver->advance(1e-3, 1000000);
         EXPECT_FALSE(solver->clock().failed);
         const Energies energies = solver->ledger().energies();
         EXPECT_LT(std::abs(energies.balance), 0.01);
         EXPECT_GT(energies.plastic, 0.5 * energies.internal);
-        hourglass = energies.hourglass / energies.internal;
+        EXPECT_LT(energies.hourglass, 0.01 * energies.internal);
         return energies.external;
     };
     for (const double dilation : {0.0, 30.0}) {
-        double one = 0, four = 0, points = 0;
-        const double single = bent(soil(dilation), 1, one), layered = bent(soil(dilation), 4, four),
-                     selective = bent(soil(dilation, HexahedronForm::selective), 4, points);
-        std::cout << "dilation " << dilation << " work " << single << ' ' << layered << ' '
-                  << selective << " hourglass " << one << ' ' << four << ' ' << points << '\n';
+        const double one = work(soil(dilation), 1), four = work(soil(dilation), 4);
+        EXPECT_NEAR(one, four, 0.06 * four);
     }
 }
 
@@ -123,25 +123,24 @@ TEST(DruckerPragerBlock, StaysInShapeAtTheApex)
         const auto solver = startedSolver(model);
         solver->advance(4e-4, 1000000);
         EXPECT_FALSE(solver->clock().failed);
-        double apex = 2 / std::tan(std::numbers::pi / 6), far = 0;
+        const double apex = 2 / std::tan(std::numbers::pi / 6);
+        double far = 0;
         const ElementValues values = solver->elements().values();
         for (std::size_t k = 0; k < values.stress.size(); k += 6)
             for (std::size_t c = 0; c < 3; ++c)
                 far = std::max(far, std::abs(values.stress[k + c] - apex));
         EXPECT_LT(far, 0.05 * apex);
         // Nodes lie where the stretch of the block has them.
-        std::vector<Index> all = nodesWhere(model.mesh, [](Point) { return true; });
-        const NodeValues nodes = solver->nodes().values(all);
+        const NodeValues nodes = solver->nodes().values({});
         const double stretch = 1 + 400 * solver->clock().time / 4;
         double off = 0;
         for (std::size_t i = 0; i < nodes.count; ++i)
             for (std::size_t c = 0; c < 3; ++c)
                 off =
                     std::max(off, std::abs(nodes.at(0, i)[c] - stretch * model.mesh.points[i][c]));
-        std::cout << "off " << off << " hourglass " << solver->ledger().energies().hourglass
-                  << " kinetic " << solver->ledger().energies().kinetic << " internal "
-                  << solver->ledger().energies().internal << " balance "
-                  << solver->ledger().energies().balance << '\n';
+        EXPECT_LT(off, 0.01); // of an element
+        EXPECT_LT(solver->ledger().energies().hourglass,
+                  1e-3 * solver->ledger().energies().internal);
         EXPECT_LT(std::abs(solver->ledger().energies().balance), 0.01);
     }
 }
