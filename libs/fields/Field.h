@@ -29,7 +29,7 @@ public:
     const T* data() const { return static_cast<const T*>(memory_); }
     /// New values, as many as there are.
     void fromHost(const std::vector<T>& values) { upload(values.data(), values.size()); }
-    /// New values, of whatever number.
+    /// New values, of any count; resizes.
     void assign(const std::vector<T>& values)
     {
         resize(values.size());

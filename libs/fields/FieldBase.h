@@ -26,7 +26,8 @@ enum class Location {
 };
 
 /// What a field is for. `constant`: from the set-up, no step writes it. `state`: a step reads what
-/// earlier steps wrote, so a checkpoint holds it. `derived`: follows from constants and state.
+/// earlier steps wrote, so a checkpoint holds it. `derived`: follows from constants and state,
+/// and is made anew when deletions renew a contact pass.
 /// `scratch`: written before it is read.
 enum class Role { constant, state, derived, scratch };
 

@@ -7,7 +7,7 @@
 
 namespace fpm {
 
-/// The types that a run computes with, one a family of numbers; see NumberField.
+/// The types that a run computes with, one per family of numbers; see NumberField.
 struct NumberTypes {
     ValueType position = ValueType::float64, motion = ValueType::float64, work = ValueType::float64,
               sum = ValueType::float64;

@@ -25,7 +25,7 @@ public:
     {
         return static_cast<T*>(memory_);
     }
-    /// New values, of whatever number, rounded to the type.
+    /// New values, of any count, rounded to the type; resizes.
     void assign(const std::vector<double>& values);
 
 private:

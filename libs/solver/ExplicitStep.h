@@ -9,8 +9,9 @@
 namespace fpm {
 
 /// One explicit step, in the order of the paper's flow chart. Central differences: forces of time n
-/// give velocities at n+1/2 (eqs. 3 to 5) and positions at n+1, and those the forces of n+1. A
-/// recipe and no more: what is fast about it is in the kernels, what is recorded in the backend.
+/// give velocities at n+1/2 (eq. 3, as a leapfrog) and positions at n+1, and those the forces of
+/// n+1. A recipe and no more: what is fast about it is in the kernels, what is recorded in the
+/// backend.
 class ExplicitStep
 {
 public:

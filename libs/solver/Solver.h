@@ -29,7 +29,8 @@ struct Machine {
     std::function<Launches(const SolverSetUp&, SolverFields&, const StepSettings&)> launches;
 };
 
-/// A model in motion. All times are exact: forces, stress and positions belong to clock().time.
+/// A model in motion. Positions, stress and forces belong to clock().time,
+/// velocities to half a step before.
 class Solver
 {
 public:
@@ -41,7 +42,8 @@ public:
 
     /// Forces at the start, without motion. Called once, before the first advance().
     void start();
-    /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early only on failure.
+    /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early on
+    /// failure (StepClock::failed) and when dynamic relaxation is at rest (StepClock::settled).
     void advance(double time, std::int64_t maxSteps, const Observer& observer = {});
     /// Goes on with so many threads of the CPU, those it was made with at most. No bit depends on
     /// it.

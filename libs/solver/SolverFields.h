@@ -10,7 +10,7 @@
 
 namespace fpm {
 
-/// All fields of a run. What a checkpoint, a checksum or a count of bytes needs is a loop over
+/// All fields of a run. What a checkpoint or a count of bytes needs is a loop over
 /// sets().
 struct SolverFields {
     SolverFields(const SolverSetUp& setUp,
@@ -23,7 +23,7 @@ struct SolverFields {
     std::size_t bytes();
 
     /// All that the next step reads, of a moment between two steps; restored into fields of the
-    /// same model. ContactLists::shareAmongThreads() has to follow.
+    /// same model. Threads lock everywhere until lists are made anew (PassFields::shared).
     std::vector<FieldSet::Images> state();
     void restore(const std::vector<FieldSet::Images>& state);
 

@@ -84,7 +84,7 @@ struct ContactPassView {
     const Work* mirrorNormal;    ///< [3 * k]: unit normals of the planes of symmetry
     const std::uint8_t* mirrors; ///< symmetry planes on which a contactor lies, one bit each; null:
                                  ///< none
-    const Work* faceStiffness;   ///< k_n = s_n K A^2 / V of the initial state; 0: rigid
+    const Work* faceStiffness;   ///< k_n of the initial state by the pair's rule; 0: rigid
     const float* faceThickness;  ///< V / A
     const Work* faceMass;        ///< of its lightest free corner, for contact damping
     const Index* targetCorner;   ///< [target node]: a corner of a face at it, as in nextAround;

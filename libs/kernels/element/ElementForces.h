@@ -22,7 +22,7 @@ struct PatchHeader {
     std::size_t state, strains;               ///< start of the state of the patch (StateLayout)
 };
 
-static_assert(patchCapacity == 256, "ElementPass::slotCorners keep the element in eight bits");
+static_assert(patchCapacity == 256, "ElementForces::slotCorners keep the element in eight bits");
 
 inline constexpr int elementEnergies = 4; ///< internal, plastic, hourglass, bulk viscosity
 inline constexpr int elementSums = elementEnergies + 1; ///< and the stable step

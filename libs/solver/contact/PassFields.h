@@ -76,11 +76,12 @@ struct PassFields : FieldSet {
     Field<double> injected{*this, {"injected", Location::contactor, Role::state, Renewal::kept}};
     Field<std::int64_t> counts{*this, {"counts", Location::global, Role::state}};
 
-    Field<Index> head{*this, {"head", Location::table, Role::scratch}};
-    Field<CellEntry> entries{*this, {"entries", Location::table, Role::scratch}};
+    /// Cells of the last search: the tracker reads them where what is near is intricate.
+    Field<Index> head{*this, {"head", Location::table, Role::state}};
+    Field<CellEntry> entries{*this, {"entries", Location::table, Role::state}};
     Field<double> sums{*this, {"sums", Location::block, Role::scratch}};
-    /// Results of a reading; see PassTouch and the gaps.
-    Field<double> status{*this, {"touch", Location::block, Role::scratch}};
+    /// Results of a reading; see StatusSums and the gaps.
+    Field<double> status{*this, {"status", Location::block, Role::scratch}};
     Field<double> gap{*this, {"gap", Location::contactor, Role::scratch}};
 
     std::uint32_t cellMask = 0; ///< of the hash into `head`

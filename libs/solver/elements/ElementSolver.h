@@ -35,7 +35,8 @@ public:
     {
     }
 
-    /// Internal forces at the present positions.
+    /// Advances the stress by the increment of the step and gives the internal forces at its end:
+    /// once a step. Interior nodes are moved by their patches first (InteriorNodes).
     void updateForces();
 
     const ElementSetUp& setUp() const { return setUp_; }

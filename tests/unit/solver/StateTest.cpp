@@ -104,6 +104,16 @@ TEST(State, OfAFreeRigidBodyIsWhole)
     goesOnWithTheSameBits(model, false, 60);
 }
 
+/// Around the edges of a body the tracker reads the cells of the last search.
+TEST(State, OfGeneralContactOverEdgesIsWhole)
+{
+    Model model = impact();
+    model.contactPairs.clear();
+    model.mesh.contact.clear();
+    addGeneral(model);
+    goesOnWithTheSameBits(model);
+}
+
 TEST(State, IsRefusedByAnotherModel)
 {
     const auto solver = makeSolver(impact());
