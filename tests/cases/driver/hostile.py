@@ -17,7 +17,8 @@ from driver.hostileText import TEXTS
 from driver.results import fastFolder, fresh, snapshot
 from driver.scene import Scene, elastic
 
-SECONDS = 20
+SECONDS = 20  # of the processor
+HANGS = 120
 MOST_BYTES = 1 << 30  # resident
 ADDRESSES = 16 << 30  # of all mappings: stacks of threads and reserves of libraries are no memory
 DOCUMENTED = (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 75)
@@ -40,7 +41,7 @@ def scene(binaries):
 
 
 class Answer:
-    """What came of a program: its code (None: it ran out of time), output, peak of memory."""
+    """What came of a program: its code (None: it hangs), output, peak of memory, processor seconds."""
 
     def __init__(self, command, folder, home, limited):
         environment = {**os.environ, "HOME": str(home), "TMPDIR": str(home), "OMP_NUM_THREADS": "2"}
@@ -48,7 +49,7 @@ class Answer:
         with output.open("wb") as file:
             process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=file,
                                        stderr=subprocess.STDOUT, env=environment, preexec_fn=limited)
-        self.code, self.bytes = waited(process.pid)
+        self.code, self.bytes, self.seconds = waited(process.pid)
         process.returncode = 0  # waited for
         self.output = output.read_bytes()
 
@@ -65,15 +66,16 @@ def limits(program):
 
 
 def waited(process):
-    end = time.monotonic() + SECONDS
+    end = time.monotonic() + HANGS
     while True:
         done, status, usage = os.wait4(process, os.WNOHANG)
         if done:
-            return os.waitstatus_to_exitcode(status), usage.ru_maxrss * 1024
+            return (os.waitstatus_to_exitcode(status), usage.ru_maxrss * 1024,
+                    usage.ru_utime + usage.ru_stime)
         if time.monotonic() > end:
             os.kill(process, signal.SIGKILL)
             os.wait4(process, 0)
-            return None, 0
+            return None, 0, 0
         time.sleep(0.002)
 
 
@@ -95,7 +97,7 @@ class Bench:
             fresh(case.root, folder / "pristine")
         self.pristine = folder / "pristine"
         self.limit = limits(self.binaries / "fpmExplicit")
-        self.most = 0
+        self.most, self.longest = 0, 0.0
 
     def judge(self, name, row):
         """What is wrong, as texts."""
@@ -106,11 +108,14 @@ class Bench:
         words = command.split()
         answer = Answer([self.binaries / words[0], *words[1:]], self.root, self.home, self.limit)
         self.most = max(self.most, answer.bytes)
+        self.longest = max(self.longest, answer.seconds)
         wrong = []
         if answer.code is None:
-            wrong.append(f"no answer in {SECONDS} s")
+            wrong.append(f"no answer in {HANGS} s")
         elif answer.code not in codes:
             wrong.append(f"status {answer.code}, expected {codes}\n{answer.output[-600:]!r}")
+        if answer.seconds > SECONDS:
+            wrong.append(f"{answer.seconds:.0f} s of the processor")
         if answer.bytes > MOST_BYTES:
             wrong.append(f"{answer.bytes >> 20} MiB of memory")
         for where, text in (("terminal", answer.output), *logs(self.root)):
@@ -141,7 +146,8 @@ def judged(binaries, marks, names):
             for wrong in bench.judge(name, ALL[name]):
                 marks.failures.append(f"{name}: {wrong}")
     assert all(set(codes) <= set(DOCUMENTED) for _, codes, _ in ALL.values())
-    marks.note(f"{len(names)} cases, at most {bench.most >> 20} MiB")
+    marks.note(f"{len(names)} cases, at most {bench.most >> 20} MiB and "
+               f"{bench.longest:.1f} s of the processor")
     marks.true("each answered in time, with its code, nothing outside touched, no control character",
                not marks.failures)
 

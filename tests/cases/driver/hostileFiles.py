@@ -140,6 +140,7 @@ MESHES = {
     "mesh.vtkhdf is a device": (RUN, (4, 6), device("constant/mesh.vtkhdf")),
 }
 
+NO_CHECKPOINT = (0, 5, 6)  # what is no file is none, and may be in the way of a new one
 FRAME = "1e-06/fields.vtkhdf"
 PLACES = {
     "controlDict is a pipe": (RUN, (3,), fifo("system/controlDict")),
@@ -173,10 +174,10 @@ PLACES = {
     "half a frame": (PROBE, (4,), cut(FRAME, 0.5)),
     "bits of a frame": (PROBE, (0, 4), flipped(FRAME, 509)),
     "the checkpoint is a file": (RUN, (0, 6), instead("checkpoint")),
-    "the checkpoint is a pipe": (CONTINUE, (5,), both(
+    "the checkpoint is a pipe": (CONTINUE, NO_CHECKPOINT, both(
         folder("checkpoint"), fifo("checkpoint/state.h5"))),
-    "the checkpoint is a folder": (CONTINUE, (5,), folder("checkpoint/state.h5")),
-    "the checkpoint is a device": (CONTINUE, (5,), both(
+    "the checkpoint is a folder": (CONTINUE, NO_CHECKPOINT, folder("checkpoint/state.h5")),
+    "the checkpoint is a device": (CONTINUE, NO_CHECKPOINT, both(
         folder("checkpoint"), device("checkpoint/state.h5"))),
     "a checkpoint of zeros": (CONTINUE, (5,), both(
         folder("checkpoint"), whole("checkpoint/state.h5", bytes(100_000)))),
