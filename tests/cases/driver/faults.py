@@ -131,7 +131,8 @@ class Judge:
             code, output = self.bench.start(kind=kind, at=number, lasts=lasts)
             self.ends[code] = self.ends.get(code, 0) + 1
             wrong = self.judge(code, output, kind, lasts, file)
-            wrong += [f"then a start: {one}" for one in self.restarted(second)]
+            if code != 0 or second is not None or temporaries(self.bench.root):
+                wrong += [f"then a start: {one}" for one in self.restarted(second)]
             if wrong:
                 self.marks.failures.append(f"{what}: {'; '.join(wrong)}")
 
