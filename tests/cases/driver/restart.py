@@ -50,8 +50,9 @@ class Trial(Copied):
                          f"{step}: status {done.returncode}\n{done.stdout[-1500:]}")
 
     def split(self, stops, settings):
-        """Names of results that are not as in one run after a run with stops."""
+        """Names of results that are not as in one run after a run with stops, and checkpoints besides."""
         self.fresh()
+        setEntry(self, "checkpoint", "{ wallInterval 0; steps 17; }")
         for number, stop in enumerate([*stops, self.steps]):
             self.to(stop, settings[number % len(settings)], *(("-continue",) if number else ()))
         return different(results(self.root), self.expected)
