@@ -35,7 +35,7 @@ def scene(binaries):
         initial="v { type velocity; part b; value (9000 -4000 -20000); }",
         pairs="p { contactor b; target a; friction 0.3; }",
         functions="tip { type point; part b; position (2.1 2.2 5); fields (displacement velocity); }",
-        control="checkpoint { wallInterval 0; steps 20; }")
+        control="checkpoint { wallInterval 0; steps 50; }")
 
 
 class Killer:

@@ -11,13 +11,13 @@ from driver.kills import scene
 from driver.results import Copied, different, fastFolder, fresh, results, snapshot
 
 CHECKPOINT = 5
-STOP, END = 70, 110  # steps; a checkpoint at every twentieth
+STOP, END = 70, 110  # steps; a checkpoint at every fiftieth
 NEWEST, BEFORE = "checkpoint/state.h5", "checkpoint/state.1.h5"
 NO_STATE = ("log.", ".lock")
 
 
 class Stopped(Copied):
-    """A run that stopped at step 70, with checkpoints of that and of step 60, to be continued to 110."""
+    """A run that stopped at step 70, with checkpoints of that and of step 50, to be continued to 110."""
 
     def __init__(self, binaries, folder):
         with scene(binaries) as case:
