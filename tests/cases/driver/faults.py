@@ -111,6 +111,25 @@ def sample(calls, seed):
     return sorted(plan)
 
 
+def unordered(calls):
+    """Files that a loss of power may leave empty or old, whatever was said of them: those renamed without
+    a sync between their last write and the rename, or without one of their folder before anything else is
+    done with files. `status` is renewed so every second while a run goes on."""
+    wrong, dirty = set(), {}
+    for at, (call, file) in enumerate(calls):
+        folder, _, name = file.rpartition("/")
+        target = re.sub(r"^\.(.*)\.\d+\.tmp$", r"\1", name)
+        if call in WRITES and name != target:
+            dirty[folder, target] = True
+        elif call in ("fsync", "fdatasync"):
+            dirty.pop((folder, target), None)
+        elif call == "rename" and not isLog(file):
+            after = next(((c, f) for c, f in calls[at + 1:] if c != "rename"), None)
+            if (folder, name) in dirty or after != ("fsync", folder or "."):
+                wrong.add(file)
+    return sorted(wrong)
+
+
 class Judge:
     """Runs a plan of faults and names what is not as promised."""
 
@@ -122,6 +141,8 @@ class Judge:
         if code != 0:
             raise Failed(f"without a fault: status {code}\n{output}")
         self.expected, self.calls = results(bench.root), bench.calls()
+        if late := unordered(self.calls):
+            marks.failures.append(f"renamed before it was synced, or its folder not after: {late}")
 
     def run(self, plan, second=None):
         for number, kind, lasts in plan:

@@ -213,6 +213,14 @@ int fclose(std::FILE* stream)
     return EOF;
 }
 
+/// What a stream holds back is written here, past our write.
+int fflush(std::FILE* stream)
+{
+    const int file = stream ? fileno(stream) : -1;
+    if (file >= 0 && fails("fflush", pathOf(file))) return EOF;
+    return next<int (*)(std::FILE*)>("fflush")(stream);
+}
+
 int posix_fallocate(int file, off_t from, off_t size)
 {
     return reserved("posix_fallocate", file, from, size);
