@@ -25,9 +25,9 @@ BEGINS = re.compile(r"^Time = 0$", re.M)
 
 
 def scene(binaries):
-    """Two blocks that strike and slide, ten frames, rows at every tenth step, many checkpoints."""
+    """Two blocks that strike and slide, five frames, many checkpoints."""
     return Scene(
-        binaries, end=6e-5, frames=10, rows=200,
+        binaries, end=3e-5, frames=5, rows=100,
         bodies="a { type box; origin (0 0 0); size (8 8 2); cells (4 4 1); }"
                "b { type box; origin (2.1 2.2 2.02); size (3 3 3); cells (2 2 2); }",
         parts=elastic("a", 210000, 0.3, 7.85e-9) + elastic("b", 70000, 0.3, 2.7e-9),
