@@ -154,17 +154,15 @@ VARIANTS = {
 
 def check(binaries, marks):
     first, steps = measured(binaries, Variant())
-    marks.true(f"{steps} steps, they touch and slide", max(first["active"]) >= 4
+    marks.note(f"{steps} steps")
+    marks.true("they touch and slide", max(first["active"]) >= 4
                and max(first["energy friction"]) > 0)
     for name, (variant, most) in VARIANTS.items():
         ours, _ = measured(binaries, variant)
         far, where = distance(ours, first)
-        marks.words.append(f"{name}: {far:.2g} in {where} (< {most:.2g})")
-        marks.rows.append((f"impact {name}", "-", f"{far:.2g}", "-", f"< {most:.2g}"))
-        if not far < most:
-            marks.failures.append(f"{name}: {where} differs by {far:.3g}, more than {most:.2g}")
+        marks.within(f"{name}, {where}", far, 0, most)
     ours, _ = measured(binaries, POWERS)
     other = [name for name in first if ours[name] != first[name]]
-    marks.true("units times powers of two: not a bit", not other)
+    marks.note(f"units times powers of two, {len(other)} of {len(first)} curves differ in a bit")
     if other:
         marks.failures.append(f"powers of two: {', '.join(other)}")

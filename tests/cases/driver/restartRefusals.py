@@ -151,8 +151,8 @@ def neverWrong(case, marks, flips, cuts):
             marks.failures.append(f"{name}: status {done.returncode}\n{done.stdout[-500:]}")
         elif done.returncode == 0 and case.asInOneRun():
             marks.failures.append(f"{name}: a wrong restart")
-    marks.true(f"{sum(ends.values())} damages of {size} bytes: " + ", ".join(
-        f"{count} status {code}" for code, count in sorted(ends.items())), True)
+    marks.note(f"{sum(ends.values())} damages of {size} bytes: " + ", ".join(
+        f"{count} status {code}" for code, count in sorted(ends.items())))
 
 
 def judged(binaries, marks, flips, cuts):
