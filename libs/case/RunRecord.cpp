@@ -12,11 +12,30 @@ RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& previous
 {
     clearForRun(root_, previousRun, log);
     status_.runId = makeRunId();
+    begin();
+    log.line("run " + status_.runId);
+}
+
+RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& runId, double wallSeconds)
+    : root_(std::move(caseRoot)),
+      before_(wallSeconds)
+{
+    status_.runId = runId;
+    begin();
+}
+
+void RunRecord::begin()
+{
     status_.process = processNumber();
     status_.host = hostName();
     status_.started = utcDate();
     writeFileAtomically(root_ / "status", status_.text());
-    log.line("run " + status_.runId);
+}
+
+double RunRecord::wallSeconds() const
+{
+    return before_
+           + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
 void RunRecord::renew(double time, std::int64_t steps, Log& log)
@@ -41,8 +60,7 @@ void RunRecord::take(RunState state, double time, std::int64_t steps)
     status_.state = state;
     status_.time = time;
     status_.steps = steps;
-    status_.wallSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    status_.wallSeconds = wallSeconds();
 }
 
 } // namespace fpm

@@ -14,6 +14,9 @@ public:
     /// Sets aside what an earlier run left, as controlDict.previousRun says, and writes `status`.
     RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log);
 
+    /// Goes on with a run that took so many seconds until its checkpoint.
+    RunRecord(std::filesystem::path caseRoot, const std::string& runId, double wallSeconds);
+
     const std::string& id() const { return status_.runId; }
     /// Entries that `status` has from now on beside its own: "findings 1;\n".
     void tell(const std::string& entries) { status_.more = entries; }
@@ -21,12 +24,16 @@ public:
     /// stop the run.
     void renew(double time, std::int64_t steps, Log& log);
     void end(RunState state, double time, std::int64_t steps);
+    /// Of the whole run up to now.
+    double wallSeconds() const;
 
 private:
+    void begin();
     void take(RunState state, double time, std::int64_t steps);
 
     std::filesystem::path root_;
     RunStatus status_;
+    double before_ = 0; ///< seconds until the checkpoint
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     bool warned_ = false;
 };

@@ -222,6 +222,24 @@ HistoryFile::HistoryFile(const std::filesystem::path& file,
     write(header(columns, notes, isCsv(file)));
 }
 
+HistoryFile HistoryFile::resume(const std::filesystem::path& file,
+                                const std::vector<std::string>& columns,
+                                const std::vector<std::string>&,
+                                std::uint64_t offset)
+{
+    if (std::filesystem::file_size(file) < offset) throw Error(ExitCode::fileIo, "it is shorter");
+    std::filesystem::resize_file(file, offset);
+    HistoryFile out(columns.size());
+    out.file_ = file;
+    out.stream_.open(file, std::ios::app);
+    return out;
+}
+std::uint64_t HistoryFile::size()
+{
+    return std::filesystem::file_size(file_);
+}
+void HistoryFile::synchronise() {}
+
 void HistoryFile::append(std::initializer_list<double> values)
 {
     requireCount(values.size());

@@ -35,10 +35,17 @@ public:
     HistoryFile(const std::filesystem::path& file,
                 const std::vector<std::string>& columns,
                 const std::vector<std::string>& notes = {});
+    static HistoryFile resume(const std::filesystem::path& file,
+                              const std::vector<std::string>& columns,
+                              const std::vector<std::string>& notes,
+                              std::uint64_t offset);
+    std::uint64_t size();
+    void synchronise();
     void append(std::initializer_list<double> values);
     void append(const std::vector<double>& values);
 
 private:
+    explicit HistoryFile(std::size_t n) : columnCount_(n) {}
     void requireCount(std::size_t count) const;
     void write(const std::string& text);
 

@@ -56,6 +56,8 @@ TEST(FieldSet, ImagesBringTheStateIntoAnotherSet)
     from.xi.assign({0.25, 0.5});
     from.stiffness.assign({7, 8});
     to.stiffness.assign({1, 2});
+    to.face.resize(2);
+    to.xi.resize(2);
     to.setImages(Role::state, from.images(Role::state));
     EXPECT_EQ(to.face.toHost(), (std::vector<Index>{4, 5}));
     EXPECT_EQ(to.xi.toDoubles(), (std::vector<double>{0.25, 0.5}));

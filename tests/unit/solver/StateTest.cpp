@@ -34,10 +34,10 @@ void goesOnWithTheSameBits(const Model& model, bool audit = false, std::int64_t 
     whole->start();
     whole->advance(1, steps);
     EXPECT_GT(whole->contact().force(0).active, 0);
-    const std::vector<FieldSet::Images> state = whole->fields().state();
+    const std::vector<FieldSet::Images> state = whole->state();
     whole->advance(1, 60);
     const auto resumed = makeSolver(model, audit);
-    resumed->fields().restore(state);
+    resumed->restore(state);
     EXPECT_EQ(resumed->clock().steps, steps);
     resumed->advance(1, 60);
 
@@ -120,7 +120,7 @@ void needs(const Model& model, const std::vector<std::string>& fields)
     const auto whole = makeSolver(model);
     whole->start();
     whole->advance(1, 150);
-    const std::vector<FieldSet::Images> state = whole->fields().state();
+    const std::vector<FieldSet::Images> state = whole->state();
     whole->advance(1, 60);
     const Outcome expected = outcomeOf(*whole, model);
     for (const std::string& name : fields) {
@@ -129,7 +129,7 @@ void needs(const Model& model, const std::vector<std::string>& fields)
             for (auto& [field, image] : set)
                 if (field == name) std::fill(image.begin(), image.end(), std::byte(0xff));
         const auto resumed = makeSolver(model);
-        resumed->fields().restore(without);
+        resumed->restore(without);
         resumed->advance(1, 60);
         const Outcome found = outcomeOf(*resumed, model);
         EXPECT_FALSE(found.checksum == expected.checksum
@@ -151,7 +151,7 @@ TEST(State, IsRefusedByAnotherModel)
     const auto solver = makeSolver(impact());
     Model without = impact();
     without.contactPairs.clear();
-    EXPECT_THROW(makeSolver(without)->fields().restore(solver->fields().state()), Error);
+    EXPECT_THROW(makeSolver(without)->restore(solver->state()), Error);
 }
 
 } // namespace
