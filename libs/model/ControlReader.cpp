@@ -161,7 +161,7 @@ CheckpointControl readCheckpoint(const Dictionary& dictionary)
     CheckpointControl out;
     out.wallInterval = dictionary.numberOr("wallInterval", out.wallInterval, nonNegative());
     out.steps = dictionary.integerOr("steps", out.steps, 0, std::int64_t(1) << 52);
-    out.keep = int(dictionary.integerOr("keep", out.keep, 1, 100));
+    out.keep = int(dictionary.integerOr("keep", out.keep, 0, 100));
     return out;
 }
 

@@ -149,7 +149,7 @@ enum class StopAt { endTime, writeNow, noWriteNow, nextWrite };
 struct CheckpointControl {
     double wallInterval = 600; ///< seconds between them; 0: none by the clock
     std::int64_t steps = 0;    ///< > 0: at every multiple of so many steps
-    int keep = 2;              ///< files
+    int keep = 2;              ///< files; 0: no checkpoints
     bool operator==(const CheckpointControl&) const = default;
 };
 

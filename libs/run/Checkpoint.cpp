@@ -150,6 +150,8 @@ void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkp
     image.attribute("/fpm", "wallSeconds", checkpoint.wallSeconds);
     integer("settled", checkpoint.settled);
     image.attribute("/fpm", "mesh", checkpoint.inputs.mesh);
+    image.attribute("/inputs", "files",
+                    std::array<std::int64_t, 1>{std::int64_t(checkpoint.inputs.files.size())});
     for (std::size_t i = 0; i < checkpoint.inputs.files.size(); ++i) {
         const RunInputs::File& input = checkpoint.inputs.files[i];
         const std::string path = numbered("/inputs", i);

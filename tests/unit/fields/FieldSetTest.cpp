@@ -85,6 +85,7 @@ TEST(FieldSet, OneLineMakesAValueOfAContactorPartOfRenewalAndState)
             renewed.fields()[k]->take(*set.fields()[k], {2, -1}, 3);
     EXPECT_EQ(renewed.wear.toHost(), (std::vector<double>{3, 0}));
     MoreContactors restored(numberTypes<DoublePrecision>());
+    restored.wear.resize(3);
     restored.setImages(Role::state, set.images(Role::state));
     EXPECT_EQ(restored.wear.toHost(), (std::vector<double>{1, 2, 3}));
 }
