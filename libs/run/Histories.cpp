@@ -148,6 +148,7 @@ Histories::Histories(const std::filesystem::path& caseRoot,
                      const std::string& runId)
     : model_(model)
 {
+    const OutputFolder output(caseRoot);
     for (const History& history : model.control.histories) {
         Channel channel{&history, {}, {}, {}, {}};
         if (history.kind == History::Kind::reaction)
@@ -159,7 +160,7 @@ Histories::Histories(const std::filesystem::path& caseRoot,
             notes.emplace_back("unit"); // one a column
             for (const std::string& unit : table.units) notes.back() += " " + unit;
             channel.files.push_back(
-                std::make_unique<HistoryFile>(caseRoot / file, table.columns, notes));
+                std::make_unique<HistoryFile>(output, file, table.columns, notes));
         }
         channels_.push_back(std::move(channel));
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/Table.h"
+#include "io/HistoryFile.h"
 #include "run/PartMotion.h"
 #include "run/Sample.h"
 

@@ -3,8 +3,8 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "case/RunRecord.h"
-#include "io/AtomicFile.h"
 #include "io/Frames.h"
+#include "io/OutputFolder.h"
 #include "run/ContactWatch.h"
 #include "run/Health.h"
 #include "run/HealthTable.h"
@@ -205,7 +205,7 @@ private:
                                "try a smaller timeStep.safety or normalScale, and see the element "
                                "or pair named")
     {
-        writeFileAtomically(root_ / "why.txt", what + "\n");
+        OutputFolder(root_).write("why.txt", what + "\n");
         // Beside the mesh as any frame, but of no time: the series ends with the last good state.
         saveState(failedFolder);
         finish();
@@ -219,7 +219,7 @@ private:
     {
         Frame frame = resultFrame(solver_, model_);
         frame.runId = record_.id();
-        fpm::writeFrame(root_, folder, frame, model_.mesh.points.size(),
+        fpm::writeFrame(OutputFolder(root_), folder, frame, model_.mesh.points.size(),
                         model_.mesh.hexahedra.size());
     }
 
@@ -228,7 +228,7 @@ private:
         const std::string name = timeName(clock_.time);
         saveState(name);
         series_.push_back(name);
-        writeSeries(root_, record_.id(), series_);
+        writeSeries(OutputFolder(root_), record_.id(), series_);
         log_.line(format("Time = {}", name));
         edges_.check(solver_, log_);
         lastFrame_ = clock_.time;
