@@ -1,5 +1,6 @@
 #include "application/Application.h"
 #include "base/Format.h"
+#include "case/RunStatus.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
 #include "run/Checkpoints.h"
@@ -36,10 +37,15 @@ void applyOptions(const fpm::Run& run, fpm::Control& control)
     control.latest |= run.has("continue");
 }
 
-/// Nothing is left to do.
-bool isFinished(const fpm::Checkpoint& from, const fpm::Control& control, fpm::Log& log)
+/// Nothing is left to do: it has come to its end, and has said so.
+bool isFinished(const fpm::Checkpoint& from,
+                const fpm::Control& control,
+                const std::filesystem::path& caseRoot,
+                fpm::Log& log)
 {
-    if (!from.settled && from.time < control.endTime) return false;
+    const auto status = fpm::readStatus(caseRoot);
+    const bool said = status && status->state == fpm::RunState::finished;
+    if (!said || (!from.settled && from.time < control.endTime)) return false;
     log.line(fpm::format("run {} has come to its end, at time {}: a later endTime in "
                          "system/controlDict makes it go on",
                          from.runId, from.time));
@@ -64,6 +70,7 @@ int main(int argc, char** argv)
          {"simd", "<word>", "auto, scalar, avx2 or avx512"},
          {"precision", "<word>", "double, mixed or single"},
          {"continue", "", "go on from the latest checkpoint; from the start where there is none"},
+         {"onDiskFull", "<word>", "stop, or wait for room; stop"},
          {"maxSteps", "<n>", "end after n steps"},
          {"strict", "", "end with code 11 where the run finds fault with itself"},
          {"dryRun", "", "say what would run and how long, then end"}},
@@ -77,7 +84,7 @@ int main(int argc, char** argv)
         std::optional<fpm::Checkpoint> from;
         if (!run.has("dryRun"))
             from = fpm::findCheckpoint(run.theCase.root(), model.control, inputs, run.log);
-        if (from && isFinished(*from, model.control, run.log)) return;
+        if (from && isFinished(*from, model.control, run.theCase.root(), run.log)) return;
         const auto solver = fpm::makeSolver(model);
         run.log.line("running on " + solver->description());
         const std::string busy = fpm::busyCoresNote(model.control);
@@ -93,6 +100,8 @@ int main(int argc, char** argv)
         options.maxSteps =
             run.integer("maxSteps", 0, std::numeric_limits<std::int64_t>::max()).value_or(-1);
         options.strict = run.has("strict");
+        options.waitsForRoom =
+            run.choice("onDiskFull", {"stop", "wait"}).value_or("stop") == "wait";
         options.from = from ? &*from : nullptr;
         options.inputs = inputs;
         options.control = {run.theCase.path(*run.value("dict")),

@@ -60,7 +60,7 @@ std::string labelled(std::string_view label, std::string_view text, std::string_
 
 } // namespace
 
-Log::Log(const std::filesystem::path& file) : file_(file, std::ios::trunc) {}
+Log::Log(int file) : file_(file < 0 ? nullptr : ::fdopen(file, "a")) {}
 
 Log Log::quiet()
 {
@@ -129,10 +129,7 @@ void Log::write(std::string_view label, std::string_view text)
 void Log::writeToFile(std::string_view text)
 {
     if (text_) text_->append(text).append("\n");
-    if (!file_.is_open()) return;
-    file_.clear();
-    file_ << text << '\n' << std::flush;
-    if (!file_) ++lostLines_;
+    if (file_ && !send(file_.get(), std::string(text).append("\n"))) ++lostLines_;
 }
 
 void Log::writeToTerminal(std::string_view label, std::string_view text)

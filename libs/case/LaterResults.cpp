@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "io/Frames.h"
+#include "io/OutputFolder.h"
 
 #include <vector>
 
@@ -19,13 +20,11 @@ void setLaterResultsAside(const fs::path& caseRoot, const std::string& runId, do
     for (const char* file : {"failed/fields.vtkhdf", "why.txt"})
         if (fs::is_regular_file(fs::symlink_status(caseRoot / file))) files.emplace_back(file);
     if (files.empty()) return;
+    const OutputFolder output(caseRoot);
     for (const std::string& file : files) {
-        const fs::path target = caseRoot / laterFolder / file;
-        fs::create_directories(target.parent_path());
-        fs::rename(caseRoot / file, target);
-        std::error_code holdsMore;
-        if (fs::path(file).has_parent_path())
-            fs::remove((caseRoot / file).parent_path(), holdsMore);
+        output.rename(file, format("{}/{}", laterFolder, file));
+        const std::string folder = fs::path(file).parent_path();
+        if (!folder.empty()) output.remove(folder); // unless it holds more
     }
     log.line(format("moved into {}/: {} frames and {} other files of after the checkpoint",
                     laterFolder, frames, files.size() - frames));

@@ -3,7 +3,7 @@
 #include "base/Error.h"
 #include "base/Machine.h"
 #include "case/PreviousRun.h"
-#include "io/AtomicFile.h"
+#include "io/OutputFolder.h"
 
 namespace fpm {
 
@@ -29,7 +29,7 @@ void RunRecord::begin()
     status_.process = processNumber();
     status_.host = hostName();
     status_.started = utcDate();
-    writeFileAtomically(root_ / "status", status_.text());
+    OutputFolder(root_).write("status", status_.text());
 }
 
 double RunRecord::wallSeconds() const
@@ -42,7 +42,7 @@ void RunRecord::renew(double time, std::int64_t steps, Log& log)
 {
     take(RunState::running, time, steps);
     try {
-        renewFile(root_ / "status", status_.text());
+        OutputFolder(root_).renew("status", status_.text());
     } catch (const Error& error) {
         if (!warned_) log.warning(std::string("status is not up to date: ") + error.what());
         warned_ = true;
@@ -52,7 +52,7 @@ void RunRecord::renew(double time, std::int64_t steps, Log& log)
 void RunRecord::end(RunState state, double time, std::int64_t steps)
 {
     take(state, time, steps);
-    writeFileAtomically(root_ / "status", status_.text());
+    OutputFolder(root_).write("status", status_.text());
 }
 
 void RunRecord::take(RunState state, double time, std::int64_t steps)

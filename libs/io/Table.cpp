@@ -2,11 +2,11 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -143,28 +143,6 @@ private:
     Table table_;
 };
 
-std::string
-header(const std::vector<std::string>& columns, const std::vector<std::string>& notes, bool csv)
-{
-    std::string text;
-    for (const auto& note : notes) text += "# " + note + "\n";
-    text += csv ? "" : "# ";
-    for (std::size_t column = 0; column < columns.size(); ++column)
-        text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
-    return text + "\n";
-}
-
-template <class Values>
-std::string rowText(const Values& values, char separator)
-{
-    std::string text;
-    for (const double value : values) {
-        if (!text.empty()) text += separator;
-        text += toText(value);
-    }
-    return text + "\n";
-}
-
 } // namespace
 
 std::size_t Table::column(const std::string& name) const
@@ -202,70 +180,35 @@ Table readTable(const std::filesystem::path& file)
     return reader.finish();
 }
 
-void writeTable(const std::filesystem::path& file, const Table& table)
+void writeTable(const OutputFolder& output, const std::string& file, const Table& table)
+{
+    std::string text = tableHead(file, table.columns, table.notes);
+    for (const auto& row : table.rows) text += tableRow(file, row);
+    output.write(file, text);
+}
+
+std::string tableHead(const std::filesystem::path& file,
+                      const std::vector<std::string>& columns,
+                      const std::vector<std::string>& notes)
 {
     const bool csv = isCsv(file);
-    std::string text = header(table.columns, table.notes, csv);
-    for (const auto& row : table.rows) text += rowText(row, csv ? ',' : ' ');
-    writeFileAtomically(file, text);
+    std::string text;
+    for (const auto& note : notes) text += "# " + note + "\n";
+    text += csv ? "" : "# ";
+    for (std::size_t column = 0; column < columns.size(); ++column)
+        text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
+    return text + "\n";
 }
 
-HistoryFile::HistoryFile(const std::filesystem::path& file,
-                         const std::vector<std::string>& columns,
-                         const std::vector<std::string>& notes)
-    : file_(file),
-      columnCount_(columns.size())
+std::string tableRow(const std::filesystem::path& file, std::span<const double> values)
 {
-    std::error_code error;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-    stream_.open(file, std::ios::binary | std::ios::trunc);
-    write(header(columns, notes, isCsv(file)));
-}
-
-HistoryFile HistoryFile::resume(const std::filesystem::path& file,
-                                const std::vector<std::string>& columns,
-                                const std::vector<std::string>&,
-                                std::uint64_t offset)
-{
-    if (std::filesystem::file_size(file) < offset) throw Error(ExitCode::fileIo, "it is shorter");
-    std::filesystem::resize_file(file, offset);
-    HistoryFile out(columns.size());
-    out.file_ = file;
-    out.stream_.open(file, std::ios::app);
-    return out;
-}
-std::uint64_t HistoryFile::size()
-{
-    return std::filesystem::file_size(file_);
-}
-void HistoryFile::synchronise() {}
-
-void HistoryFile::append(std::initializer_list<double> values)
-{
-    requireCount(values.size());
-    write(rowText(values, isCsv(file_) ? ',' : ' '));
-}
-
-void HistoryFile::append(const std::vector<double>& values)
-{
-    requireCount(values.size());
-    write(rowText(values, isCsv(file_) ? ',' : ' '));
-}
-
-void HistoryFile::requireCount(std::size_t count) const
-{
-    if (count != columnCount_)
-        throw Error(ExitCode::internal,
-                    format("{}: {} values for {} columns", file_.string(), count, columnCount_));
-}
-
-void HistoryFile::write(const std::string& text)
-{
-    stream_.write(text.data(), std::streamsize(text.size()));
-    stream_.flush();
-    if (!stream_)
-        throw Error(ExitCode::fileIo, "cannot write the history '" + file_.string() + "'",
-                    "check free space, quota and permissions");
+    const char separator = isCsv(file) ? ',' : ' ';
+    std::string text;
+    for (const double value : values) {
+        if (!text.empty()) text += separator;
+        text += toText(value);
+    }
+    return text + "\n";
 }
 
 } // namespace fpm

@@ -136,7 +136,9 @@ std::optional<CheckpointLabel> checkpointLabel(const std::filesystem::path& file
     return CheckpointLabel{mark->runId, *time, *steps};
 }
 
-void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint)
+void writeCheckpoint(const OutputFolder& theCase,
+                     const std::string& file,
+                     const Checkpoint& checkpoint)
 {
     Hdf5Image image;
     const auto integer = [&](const char* name, std::int64_t value) {
@@ -160,8 +162,9 @@ void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkp
     }
     writeState(image, checkpoint.state);
     writeBytes(image, "/record", checkpoint.record);
-    image.save(file, RunMark{checkpoint.runId, checkpointFile}.text()
-                         + format(" time {} steps {}", toText(checkpoint.time), checkpoint.steps));
+    image.save(theCase, file,
+               RunMark{checkpoint.runId, checkpointFile}.text()
+                   + format(" time {} steps {}", toText(checkpoint.time), checkpoint.steps));
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file)

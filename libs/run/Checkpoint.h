@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fields/FieldSet.h"
+#include "io/OutputFolder.h"
 #include "run/RunInputs.h"
 
 #include <cstdint>
@@ -37,7 +38,9 @@ struct CheckpointLabel {
 std::optional<CheckpointLabel> checkpointLabel(const std::filesystem::path& file);
 
 /// Complete or absent. Throws Error(fileIo).
-void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+void writeCheckpoint(const OutputFolder& theCase,
+                     const std::string& file,
+                     const Checkpoint& checkpoint);
 /// Compares the checksum of the file and of every array. Throws Error(checkpoint) for a file that
 /// is damaged, none of ours, or of another version, which it names.
 Checkpoint readCheckpoint(const std::filesystem::path& file);

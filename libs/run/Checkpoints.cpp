@@ -93,14 +93,15 @@ void Checkpoints::write(const Checkpoint& checkpoint, int keep)
     const auto begin = std::chrono::steady_clock::now();
     // The new one is written beside the others first: until it is whole and on the disk, no other
     // moves.
-    const fs::path fresh = root_ / format("{}/next.h5", checkpointFolder);
-    writeCheckpoint(fresh, checkpoint);
+    const std::string fresh = format("{}/next.h5", checkpointFolder);
+    writeCheckpoint(case_, fresh, checkpoint);
     for (int age = mostFiles - 1; age > 0; --age) {
-        const fs::path older = root_ / fileOf(age), newer = root_ / fileOf(age - 1);
-        if (age >= keep && isPlainFile(older)) fs::remove(older);
-        if (age < keep && isPlainFile(newer)) fs::rename(newer, older);
+        const std::string older = fileOf(age), newer = fileOf(age - 1);
+        if (age >= keep && isPlainFile(case_.path(older))) case_.remove(older);
+        if (age < keep && isPlainFile(case_.path(newer))) case_.rename(newer, older);
     }
-    fs::rename(fresh, root_ / checkpointFile);
+    case_.rename(fresh, checkpointFile);
+    case_.synchroniseNames(checkpointFolder);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     longest_ = std::max(longest_, seconds.count());
 }

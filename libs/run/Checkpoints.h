@@ -10,14 +10,14 @@ namespace fpm {
 class Checkpoints
 {
 public:
-    explicit Checkpoints(std::filesystem::path caseRoot) : root_(std::move(caseRoot)) {}
+    explicit Checkpoints(OutputFolder theCase) : case_(std::move(theCase)) {}
     /// Keeps so many files, the new one included; at least one. Throws Error(fileIo).
     void write(const Checkpoint& checkpoint, int keep);
     /// Seconds the slowest has taken; 0 before the first.
     double longest() const { return longest_; }
 
 private:
-    std::filesystem::path root_;
+    OutputFolder case_;
     double longest_ = 0;
 };
 

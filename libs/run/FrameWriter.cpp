@@ -6,22 +6,19 @@
 
 namespace fpm {
 
-FrameWriter::FrameWriter(Solver& solver,
-                         const Model& model,
-                         std::filesystem::path caseRoot,
-                         std::string runId)
+FrameWriter::FrameWriter(Solver& solver, const Model& model, OutputFolder output, std::string runId)
     : solver_(solver),
       model_(model),
-      root_(std::move(caseRoot)),
+      output_(std::move(output)),
       runId_(std::move(runId))
 {
 }
 
 void FrameWriter::resume()
 {
-    for (const FrameFile& frame : listFrames(root_))
+    for (const FrameFile& frame : listFrames(output_.path()))
         if (frame.runId == runId_) series_.push_back(frame.time.first);
-    writeSeries(root_, runId_, series_);
+    writeSeries(output_, runId_, series_);
 }
 
 void FrameWriter::write(int keep, Log& log)
@@ -31,7 +28,7 @@ void FrameWriter::write(int keep, Log& log)
     save(name);
     series_.push_back(name);
     if (keep > 0) purge(keep);
-    writeSeries(root_, runId_, series_);
+    writeSeries(output_, runId_, series_);
     log.line(format("Time = {}", name));
 }
 
@@ -44,17 +41,17 @@ void FrameWriter::save(const std::string& folder)
 {
     Frame frame = resultFrame(solver_, model_);
     frame.runId = runId_;
-    fpm::writeFrame(root_, folder, frame, model_.mesh.points.size(), model_.mesh.hexahedra.size());
+    fpm::writeFrame(output_, folder, frame, model_.mesh.points.size(),
+                    model_.mesh.hexahedra.size());
 }
 
 void FrameWriter::purge(int keep)
 {
     while (series_.size() > std::size_t(keep)) {
         const std::string file = series_.front() + "/fields.vtkhdf";
-        if (isFrame(root_, file)) {
-            std::filesystem::remove(root_ / file);
-            std::error_code holdsMore;
-            std::filesystem::remove(root_ / series_.front(), holdsMore);
+        if (isFrame(output_.path(), file)) {
+            output_.remove(file);
+            output_.remove(series_.front()); // unless it holds more
         }
         series_.erase(series_.begin());
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Log.h"
+#include "io/OutputFolder.h"
 #include "solver/Solver.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,10 +13,7 @@ namespace fpm {
 class FrameWriter
 {
 public:
-    FrameWriter(Solver& solver,
-                const Model& model,
-                std::filesystem::path caseRoot,
-                std::string runId);
+    FrameWriter(Solver& solver, const Model& model, OutputFolder output, std::string runId);
     /// Goes on with the frames that this run has in the case.
     void resume();
     /// One of the present time, unless there is one; of all of the run no more than the latest
@@ -32,7 +29,7 @@ private:
 
     Solver& solver_;
     const Model& model_;
-    const std::filesystem::path root_; ///< of the case
+    const OutputFolder output_; ///< the case
     const std::string runId_;
     std::vector<std::string> series_; ///< time folders, ascending
 };

@@ -154,7 +154,7 @@ void keep(Archive& archive, std::vector<HistoryMark>& marks)
 namespace {
 
 /// A file that goes on, or begins.
-std::unique_ptr<HistoryFile> opened(const std::filesystem::path& caseRoot,
+std::unique_ptr<HistoryFile> opened(const OutputFolder& output,
                                     const std::string& file,
                                     const HistoryTable& table,
                                     const std::vector<std::string>& notes,
@@ -165,17 +165,18 @@ std::unique_ptr<HistoryFile> opened(const std::filesystem::path& caseRoot,
     if (mark != stored.end()) {
         try {
             return std::make_unique<HistoryFile>(
-                HistoryFile::resume(caseRoot / file, table.columns, notes, mark->bytes));
+                HistoryFile::resume(output, file, table.columns, notes, mark->bytes));
         } catch (const Error& error) {
+            if (error.code() != ExitCode::checkpoint) throw;
             log.warning(format("{}: its rows begin anew here: {}", file, error.what()));
         }
     }
-    return std::make_unique<HistoryFile>(caseRoot / file, table.columns, notes);
+    return std::make_unique<HistoryFile>(output, file, table.columns, notes);
 }
 
 } // namespace
 
-Histories::Histories(const std::filesystem::path& caseRoot,
+Histories::Histories(const OutputFolder& output,
                      const Model& model,
                      const std::string& runId,
                      const std::vector<HistoryMark>& stored,
@@ -193,7 +194,7 @@ Histories::Histories(const std::filesystem::path& caseRoot,
             notes.emplace_back("unit"); // one a column
             for (const std::string& unit : table.units) notes.back() += " " + unit;
             channel.names.push_back(file);
-            channel.files.push_back(opened(caseRoot, file, table, notes, stored, log));
+            channel.files.push_back(opened(output, file, table, notes, stored, log));
         }
         channels_.push_back(std::move(channel));
     }

@@ -2,7 +2,7 @@
 
 #include "base/Archive.h"
 #include "base/Log.h"
-#include "io/Table.h"
+#include "io/HistoryFile.h"
 #include "run/PartMotion.h"
 #include "run/Sample.h"
 
@@ -34,7 +34,7 @@ public:
     /// `runId` goes into the head of every file; none where it is empty. Goes on with the files of
     /// `stored`, cut to what they held then: one that is missing, shorter or has other columns now
     /// begins anew, with a warning.
-    Histories(const std::filesystem::path& caseRoot,
+    Histories(const OutputFolder& output,
               const Model& model,
               const std::string& runId,
               const std::vector<HistoryMark>& stored,

@@ -3,7 +3,7 @@
 #include "base/Format.h"
 #include "base/Hash.h"
 #include "case/PerformanceRecord.h"
-#include "io/AtomicFile.h"
+#include "io/OutputFolder.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
@@ -225,7 +225,7 @@ void reportPerformance(Solver& solver,
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
-    writeFileAtomically(caseRoot / performanceFile, record.text());
+    OutputFolder(caseRoot).write(performanceFile, record.text());
 }
 
 namespace {

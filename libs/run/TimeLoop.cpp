@@ -4,7 +4,7 @@
 #include "base/Format.h"
 #include "case/LaterResults.h"
 #include "case/RunRecord.h"
-#include "io/AtomicFile.h"
+#include "io/OutputFolder.h"
 #include "run/Checkpoints.h"
 #include "run/ContactWatch.h"
 #include "run/FrameWriter.h"
@@ -66,16 +66,17 @@ public:
           root_(caseRoot),
           options_(options),
           log_(log),
+          output_(root_, fullDiskPolicy()),
           stored_(storedRecord(options)),
           record_(options.from ? RunRecord(root_, options.from->runId, options.from->wallSeconds)
                                : RunRecord(root_, model.control.previousRun, log)),
-          frames_(solver, model, root_, record_.id()),
-          histories_(root_, model, record_.id(), storedHistories(stored_), log),
+          frames_(solver, model, output_, record_.id()),
+          histories_(output_, model, record_.id(), storedHistories(stored_), log),
           health_(model, solver),
           edges_(model),
           judge_(control_),
           schedule_(control_, options.maxSteps),
-          checkpoints_(root_),
+          checkpoints_(output_),
           watch_(options.control)
     {
     }
@@ -96,6 +97,12 @@ public:
     }
 
 private:
+    FullDiskPolicy fullDiskPolicy()
+    {
+        return {options_.waitsForRoom, [this] { return !signals_.end().empty(); },
+                [this](const std::string& what) { log_.warning(what); }};
+    }
+
     void loop()
     {
         options_.from ? goOn() : begin();
@@ -272,7 +279,7 @@ private:
 
     [[noreturn]] void fail(const RunFailure& failure)
     {
-        writeFileAtomically(root_ / "why.txt", failure.what + "\n");
+        output_.write("why.txt", failure.what + "\n");
         frames_.writeFailed();
         finish();
         throw Error(ExitCode::numericalStop, failure.what,
@@ -341,6 +348,8 @@ private:
     const std::filesystem::path root_; ///< of the case
     const RunOptions& options_;
     Log& log_;
+    SignalWatch signals_;
+    const OutputFolder output_;
     Archive stored_;
     RunRecord record_;
     FrameWriter frames_;
@@ -351,7 +360,6 @@ private:
     Schedule schedule_;
     Checkpoints checkpoints_;
     ControlWatch watch_;
-    SignalWatch signals_;
     StepClock clock_;
     Energies energies_;
     std::int64_t lastRow_ = -1, checkpointStep_ = -1; ///< steps made at the last of them

@@ -13,6 +13,7 @@ namespace fpm {
 struct RunOptions {
     std::int64_t maxSteps = -1; ///< where not negative, the run ends after so many
     bool strict = false;        ///< what the run finds fault with is an Error(unhealthy)
+    bool waitsForRoom = false;  ///< on a full disk, in place of Error(fileIo)
     /// What the solver was restored from; null: it was started.
     const Checkpoint* from = nullptr;
     RunInputs inputs = {};      ///< stored in checkpoints

@@ -79,6 +79,11 @@ Solver::Solver(const Model& model, Machine machine, bool audit)
     }
     if (setUp_.elements.erodes && !setUp_.contact.passes.empty())
         renewal_ = std::make_unique<ContactRenewal>(model, setUp_, fields_);
+    if (renewal_ || (setUp_.elements.erodes && !setUp_.nodes.pressureFaceCondition.empty())) {
+        StepClock follows = clock();
+        follows.followed = 0;
+        fields_.clock.clock.fromHost({follows});
+    }
 }
 
 void Solver::start()
@@ -129,8 +134,7 @@ void Solver::advance(double time, std::int64_t maxSteps, const Pause& pause)
         backend_.synchronize();
         now = clock();
         if (now.waits) lists_.makeWaiting();
-        if (now.deletions != fields_.ledger.deletions()) followDeletions();
-        fields_.ledger.deletions = now.deletions;
+        if (now.followed >= 0 && now.deletions != now.followed) followDeletions(now);
         if (pause.goesOn && !pause.goesOn(now)) break;
     }
     if (now.time >= time) nodes_.judge();
@@ -159,15 +163,19 @@ void Solver::useThreads(int threads)
     if (backend_.threads() != before) lists_.shareAmongThreads();
 }
 
-void Solver::followDeletions()
+/// At the step of the deletion, wherever the host would look next: no bit depends on that.
+void Solver::followDeletions(StepClock& now)
 {
-    const bool presses = !setUp_.nodes.pressureFaceCondition.empty();
-    if (!presses && !renewal_) return;
     const std::vector<bool> deleted = elements_.values().deleted;
-    if (presses) nodes_.endPressures(setUp_.nodes, deleted);
-    if (!renewal_ || !renewal_->follow(deleted)) return;
-    backend_.forgetSteps();
-    lists_.renew();
+    if (!setUp_.nodes.pressureFaceCondition.empty()) nodes_.endPressures(setUp_.nodes, deleted);
+    if (renewal_ && renewal_->follow(deleted)) {
+        backend_.forgetSteps();
+        lists_.renew();
+        now = clock(); // lists are valid anew
+    }
+    now.followed = now.deletions;
+    now.running = 1;
+    fields_.clock.clock.fromHost({now});
 }
 
 StepTimes Solver::times() const

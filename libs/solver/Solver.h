@@ -78,7 +78,7 @@ public:
 private:
     void step();
     std::int64_t stepsToMake(const StepClock& now, std::int64_t last);
-    void followDeletions();
+    void followDeletions(StepClock& now);
 
     Machine machine_;
     Backend& backend_;

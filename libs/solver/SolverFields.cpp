@@ -46,6 +46,7 @@ void SolverFields::restore(const std::vector<FieldSet::Images>& state)
         throw Error(ExitCode::checkpoint,
                     format("{} sets of fields, and the model has {}", state.size(), now.size()));
     for (std::size_t set = 0; set < now.size(); ++set) now[set]->setImages(Role::state, state[set]);
+    for (const auto& pass : contact.passes) pass->requireNumbers();
 }
 
 void SolverFields::restoreMotion(const std::vector<FieldSet::Images>& state)

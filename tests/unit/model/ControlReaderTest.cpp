@@ -1,5 +1,6 @@
 #include "model/ControlReader.h"
 
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -120,7 +121,7 @@ TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
 {
     const test::CaseFolder folder;
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         readControl(Dictionary::parse("application fpmExplicit; startFrom startTime; startTime 0; "
                                       "stopAt endTime; endTime 1; writeControl runTime; "
                                       "writeFormat ascii; timePrecision 6; purgeWrite 0;"),
@@ -203,7 +204,8 @@ TEST(HistoryReader, RecordsTheNodeNearestToAPoint)
 TEST(HistoryReader, WarnsOfAPointFarFromItsPart)
 {
     const test::CaseFolder folder;
-    readFunctions("tip { type point; part rod; position (5 0 0); }", Log(folder.logFile()));
+    readFunctions("tip { type point; part rod; position (5 0 0); }",
+                  test::logInto(folder.logFile()));
 
     EXPECT_TRUE(contains(folder.logText(), "node 1 at (1 0 0), 4 from the requested position"));
     EXPECT_TRUE(contains(folder.logText(), "warning: history tip"));

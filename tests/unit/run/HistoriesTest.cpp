@@ -55,7 +55,7 @@ TEST(Histories, ReactionHistoriesHaveTravelAndTheForceOfTheWhole)
     EXPECT_GT(force, 0);
     {
         Log log = Log::quiet();
-        Histories histories(folder.path(), model, "", {}, log);
+        Histories histories(OutputFolder(folder.path()), model, "", {}, log);
         histories.sample(*solver, Sample(*solver, model));
     }
     const auto wallRow = tableOf(folder.path() / "postProcessing/wall/0/reaction.dat").back();

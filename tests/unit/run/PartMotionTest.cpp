@@ -154,7 +154,7 @@ TEST(PartMotion, IsAHistoryWithUnits)
     const auto solver = startedSolver(model);
     const TemporaryFolder folder;
     Log log = Log::quiet();
-    Histories histories(folder.path(), model, "", {}, log);
+    Histories histories(OutputFolder(folder.path()), model, "", {}, log);
     histories.sample(*solver, Sample(*solver, model));
     const auto file = folder / "postProcessing/block/0/part.dat";
     const Table table = readTable(file);
