@@ -70,6 +70,13 @@ void ContactLists::check(Index steps)
         backend_.timed(seconds_, [this, steps] { launches_.check(steps); });
 }
 
+std::int64_t ContactLists::stepsToCheck(const StepClock& now) const
+{
+    constexpr std::int64_t never = std::int64_t(1) << 62;
+    if (when_ != When::asListsLast) return never;
+    return now.step > 0 ? std::max<std::int64_t>(0, now.listsValidUntil - now.steps) : 0;
+}
+
 void ContactLists::searchAtStep()
 {
     if (when_ != When::everyStep) return;
