@@ -54,7 +54,7 @@ public:
           root_(caseRoot),
           options_(options),
           log_(log),
-          record_(root_, model.control.previousRun, log),
+          record_(OutputFolder(root_), model.control.previousRun, log),
           histories_(root_, model, record_.id()),
           health_(model, solver),
           edges_(model)
