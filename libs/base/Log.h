@@ -9,8 +9,7 @@
 namespace fpm {
 
 /// Writes lines to the terminal and, where a file is given, to log.<application> of the case.
-/// A closed terminal or a full disk never stops the run. Names from a case may hold anything:
-/// control characters other than line ends and tabs become '?'. Colour only on a terminal without
+/// A closed terminal or a full disk never stops the run. Colour only on a terminal without
 /// NO_COLOR.
 class Log
 {

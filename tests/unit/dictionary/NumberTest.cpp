@@ -24,8 +24,8 @@ TEST(Number, ReadsTheWrittenForms)
 TEST(Number, RefusesWhatOtherReadersTakeDifferently)
 {
     for (const auto* text :
-         {"",     "-",   "+2", ".", "-.", ".e1", "1e",  "1e+", "1.0.0", "0x10", "nan", "inf",
-          "-inf", "1,5", "1 ", " 1", "10mm", "--1", "+-1", "1e1.5", "1f",   "1d3"})
+         {"",    "-",    "+2",  ".",  "-.", ".e1",  "1e",  "1e+", "1.0.0", "0x10", "nan",
+          "inf", "-inf", "1,5", "1 ", " 1", "10mm", "--1", "+-1", "1e1.5", "1f",   "1d3"})
         EXPECT_EQ(readNumber(text), std::nullopt) << text;
 }
 
