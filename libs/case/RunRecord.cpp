@@ -8,24 +8,41 @@ namespace fpm {
 
 namespace {
 
-RunStatus firstStatus(const OutputFolder& output, const std::string& previousRun, Log& log)
+RunStatus firstStatus(const std::string& runId)
 {
-    clearForRun(output.path(), previousRun, log);
     RunStatus status;
-    status.runId = makeRunId();
+    status.runId = runId;
     status.process = processNumber();
     status.host = hostName();
     status.started = utcDate();
     return status;
 }
 
+std::string newRun(const OutputFolder& output, const std::string& previousRun, Log& log)
+{
+    clearForRun(output.path(), previousRun, log);
+    return makeRunId();
+}
+
 } // namespace
 
 RunRecord::RunRecord(const OutputFolder& output, const std::string& previousRun, Log& log)
-    : status_(firstStatus(output, previousRun, log)),
-      file_(output, status_.text())
+    : RunRecord(output, newRun(output, previousRun, log), 0)
 {
     log.line("run " + status_.runId);
+}
+
+RunRecord::RunRecord(const OutputFolder& output, const std::string& runId, double wallSeconds)
+    : status_(firstStatus(runId)),
+      file_(output, status_.text()),
+      before_(wallSeconds)
+{
+}
+
+double RunRecord::wallSeconds() const
+{
+    return before_
+           + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
 void RunRecord::renew(double time, std::int64_t steps, Log& log)
@@ -51,8 +68,7 @@ void RunRecord::take(RunState state, double time, std::int64_t steps)
     status_.state = state;
     status_.time = time;
     status_.steps = steps;
-    status_.wallSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    status_.wallSeconds = wallSeconds();
 }
 
 } // namespace fpm

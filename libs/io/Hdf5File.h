@@ -70,6 +70,7 @@ public:
     std::size_t columns(const std::string& path) const;                ///< 1 for a plain vector
     std::vector<double> doubles(const std::string& path) const;        ///< float32 is widened
     std::vector<std::int64_t> integers(const std::string& path) const;
+    std::vector<std::byte> bytes(const std::string& path) const; ///< of an array of them
     std::string text(const std::string& group, const std::string& attribute) const;
     std::vector<std::int64_t> integers(const std::string& group,
                                        const std::string& attribute) const;

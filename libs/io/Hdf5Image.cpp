@@ -113,7 +113,9 @@ Hdf5Image::Hdf5Image() : content_(std::make_unique<Content>())
     written(H5Pset_obj_track_times(content_->datasets, false), "/");
     content_->links = Properties(written(H5Pcreate(H5P_LINK_CREATE), "/"));
     written(H5Pset_create_intermediate_group(content_->links, 1), "/");
-    content_->file = File(written(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access), "/"));
+    // HDF5 looks first whether there is a file of this name, and reads it all: there can be none.
+    content_->file =
+        File(written(H5Fcreate("/dev/null/image", H5F_ACC_TRUNC, H5P_DEFAULT, access), "/"));
 }
 
 Hdf5Image::~Hdf5Image() = default;

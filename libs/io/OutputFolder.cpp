@@ -252,6 +252,11 @@ OutputFolder OutputFolder::inner(std::string_view folder) const
         std::make_shared<const Shared>(path(folder), std::move(opened), fullDisk()));
 }
 
+void OutputFolder::synchroniseNames(std::string_view folder) const
+{
+    synchroniseFolder(openFolder(folder), path(folder));
+}
+
 void OutputFolder::rename(std::string_view from, std::string_view to) const
 {
     const Place old = placeOf(from, Missing::refuse), place = placeOf(to, Missing::create);

@@ -46,6 +46,8 @@ public:
 
     /// A file or folder within this one, in place of a file of the other name. Creates folders.
     void rename(std::string_view from, std::string_view to) const;
+    /// Waits until the names in a folder are on the disk.
+    void synchroniseNames(std::string_view folder) const;
     /// A further name for a file; false where the file system has no hard links. Creates folders.
     bool link(std::string_view file, std::string_view name) const;
     /// A file or link, or a folder that is empty. False where it is not there, or is a folder with

@@ -180,7 +180,7 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.deviceBytes = std::int64_t(solver.fields().bytes());
     record.wallSeconds = t.total;
     record.threads = t.threads;
-    const double steps = double(record.steps), elements = double(record.elements),
+    const double steps = double(t.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
     const bool known = t.element > 0;
     const auto over = [](double part, double whole, bool given) {
@@ -207,7 +207,7 @@ void reportPerformance(Solver& solver,
                        Log& log)
 {
     const StepTimes t = solver.times();
-    const std::int64_t steps = solver.clock().steps;
+    const std::int64_t steps = t.steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
     log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",

@@ -157,6 +157,30 @@ TEST_P(Parity, WorksOfNodesAreEqual)
     }
 }
 
+/// Half of the steps here, the others there, both ways.
+TEST_P(Parity, AStateGoesOnOnTheOtherBackend)
+{
+    const int steps = stepsAsked();
+    for (Scene& scene : scenes()) {
+        SCOPED_TRACE(scene.name);
+        scene.model.control.precision = GetParam();
+        scene.model.control.threads = 2;
+        Model there = scene.model;
+        there.control.backend = backendUnderTest();
+        const Outcome expected = outcomeOf(scene.model, "serial");
+        scene.model.control.backend = "serial";
+        for (const auto& [first, second] :
+             {std::pair{&scene.model, &there}, {&there, &scene.model}}) {
+            const auto begins = startedSolver(*first);
+            begins->advance(1, steps / 2);
+            const auto ends = makeSolver(*second);
+            ends->restore(begins->state());
+            ends->advance(1, steps - steps / 2);
+            EXPECT_EQ(stateChecksum(*ends), expected.state);
+        }
+    }
+}
+
 /// The scenes do what they are named for: else equal bits would say little.
 TEST(ParityScenes, TouchSlideYieldAndErode)
 {

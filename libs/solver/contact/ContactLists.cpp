@@ -146,9 +146,23 @@ void ContactLists::shareAmongThreads(std::size_t place)
 void ContactLists::renew()
 {
     for (const PassListState& list : fields_.lists.toHost()) ledger_.searches += list.searches;
+    renewFields();
+    searchNow();
+}
+
+void ContactLists::renewFields()
+{
     near_ = NearBlocks(setUp_);
     if (when_ == When::asListsLast) fields_.renewLists(near_);
-    searchNow();
+}
+
+void ContactLists::restored()
+{
+    for (std::size_t place = 0; place < fields_.passLists.size(); ++place) {
+        const ListFields& of = *fields_.passLists[place];
+        near_.restore(place, of.nearStart.toHost(), of.near.toHost());
+    }
+    shareAmongThreads();
 }
 
 double ContactLists::seconds() const

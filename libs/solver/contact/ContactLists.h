@@ -37,6 +37,10 @@ public:
     void makeWaiting();
     /// Follows another set-up of the passes; what was counted stays.
     void renew();
+    /// Fields for another set-up of the passes, without values.
+    void renewFields();
+    /// Follows lists that are restored.
+    void restored();
     /// Marks the blocks where threads of the force kernels need atomic additions.
     void shareAmongThreads();
 

@@ -1,5 +1,7 @@
 #include "solver/contact/PassFields.h"
 
+#include "base/Error.h"
+#include "base/Format.h"
 #include "kernels/contact/PassSums.h"
 #include "kernels/contact/Search.h"
 
@@ -78,6 +80,21 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     injected.resize(setUp.fadeTime > 0 ? 2 * count : 0);
     counts.resize(passCounts);
     sums.resize(passSums * blocks);
+}
+
+void PassFields::requireNumbers() const
+{
+    const auto require = [this](const FieldInfo& info, Index number, std::size_t count) {
+        if (number >= noFace && number < Index(count)) return;
+        throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
+                                                 name(), number, info.name, count));
+    };
+    const std::size_t faces = faceNode.size() / 4;
+    for (const Field<Index>* field : {&face, &frictionFace})
+        for (const Index number : field->toHost()) require(field->info(), number, faces);
+    for (const Index number : head.toHost()) require(head.info(), number, entries.size());
+    for (const CellEntry& entry : entries.toHost())
+        require(entries.info(), entry.next, entries.size());
 }
 
 void PassFields::allocateCells(const ContactPassSetup& setUp)

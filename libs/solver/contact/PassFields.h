@@ -84,6 +84,10 @@ struct PassFields : FieldSet {
     Field<double> status{*this, {"status", Location::block, Role::scratch}};
     Field<double> gap{*this, {"gap", Location::contactor, Role::scratch}};
 
+    /// Throws Error(checkpoint) where a restored number of a face or cell entry is none there is:
+    /// kernels follow them unseen.
+    void requireNumbers() const;
+
     std::uint32_t cellMask = 0; ///< of the hash into `head`
 
 private:

@@ -26,6 +26,9 @@ public:
     /// The energy that is there before the first step.
     void start();
     Energies energies();
+    /// The same without a trace: the balance of later times does not depend on whether this was
+    /// asked for.
+    Energies peek();
     NodalWorks nodalWorks() const;
 
 private:

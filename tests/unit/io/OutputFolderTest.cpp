@@ -1,6 +1,7 @@
 #include "io/OutputFolder.h"
 
 #include "base/Error.h"
+#include "base/Format.h"
 #include "io/FileError.h"
 #include "support/FileSizeLimit.h"
 #include "support/TemporaryFolder.h"
@@ -55,7 +56,7 @@ protected:
     }
     std::string refusedLink(const std::string& link) const
     {
-        return "'" + (root / link).string() + "' is a link: nothing is written through it";
+        return format("'{}' is a link: nothing is written through it", (root / link).string());
     }
 
     const TemporaryFolder folder;
