@@ -3,33 +3,40 @@
 #include "base/Error.h"
 #include "base/Machine.h"
 #include "case/PreviousRun.h"
-#include "io/OutputFolder.h"
 
 namespace fpm {
 
-RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& previousRun, Log& log)
-    : root_(std::move(caseRoot))
+namespace {
+
+RunStatus firstStatus(const std::string& runId)
 {
-    clearForRun(root_, previousRun, log);
-    status_.runId = makeRunId();
-    begin();
+    RunStatus status;
+    status.runId = runId;
+    status.process = processNumber();
+    status.host = hostName();
+    status.started = utcDate();
+    return status;
+}
+
+std::string newRun(const OutputFolder& output, const std::string& previousRun, Log& log)
+{
+    clearForRun(output.path(), previousRun, log);
+    return makeRunId();
+}
+
+} // namespace
+
+RunRecord::RunRecord(const OutputFolder& output, const std::string& previousRun, Log& log)
+    : RunRecord(output, newRun(output, previousRun, log), 0)
+{
     log.line("run " + status_.runId);
 }
 
-RunRecord::RunRecord(std::filesystem::path caseRoot, const std::string& runId, double wallSeconds)
-    : root_(std::move(caseRoot)),
+RunRecord::RunRecord(const OutputFolder& output, const std::string& runId, double wallSeconds)
+    : status_(firstStatus(runId)),
+      file_(output, status_.text()),
       before_(wallSeconds)
 {
-    status_.runId = runId;
-    begin();
-}
-
-void RunRecord::begin()
-{
-    status_.process = processNumber();
-    status_.host = hostName();
-    status_.started = utcDate();
-    OutputFolder(root_).write("status", status_.text());
 }
 
 double RunRecord::wallSeconds() const
@@ -42,17 +49,18 @@ void RunRecord::renew(double time, std::int64_t steps, Log& log)
 {
     take(RunState::running, time, steps);
     try {
-        OutputFolder(root_).renew("status", status_.text());
+        file_.rewrite(status_.text(), false);
     } catch (const Error& error) {
         if (!warned_) log.warning(std::string("status is not up to date: ") + error.what());
         warned_ = true;
     }
 }
 
-void RunRecord::end(RunState state, double time, std::int64_t steps)
+void RunRecord::end(RunState state, double time, std::int64_t steps, const std::string& failedFile)
 {
     take(state, time, steps);
-    OutputFolder(root_).write("status", status_.text());
+    status_.failedFile = failedFile;
+    file_.rewrite(status_.text(), true);
 }
 
 void RunRecord::take(RunState state, double time, std::int64_t steps)

@@ -2,8 +2,10 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/ReadObstacle.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -166,8 +168,16 @@ std::vector<double> Table::values(const std::string& name) const
 
 Table readTable(const std::filesystem::path& file)
 {
+    std::error_code failure;
+    const auto kind = std::filesystem::status(file, failure).type();
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!std::filesystem::is_regular_file(file) || !stream)
+    if (kind == std::filesystem::file_type::directory || errno == EACCES) {
+        const auto [reason, advice] = readObstacle(file, errno);
+        throw Error(ExitCode::fileIo, format("cannot read '{}': {}", file.string(), reason),
+                    advice);
+    }
+    if (kind != std::filesystem::file_type::regular || !stream)
         throw Error(ExitCode::fileIo, "cannot open the table '" + file.string() + "'",
                     "paths are taken from the case folder; was the run that writes it started?");
     const std::string text((std::istreambuf_iterator<char>(stream)), {});

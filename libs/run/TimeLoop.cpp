@@ -4,6 +4,7 @@
 #include "base/Format.h"
 #include "case/LaterResults.h"
 #include "case/RunRecord.h"
+#include "io/FileError.h"
 #include "io/OutputFolder.h"
 #include "run/Checkpoints.h"
 #include "run/ContactWatch.h"
@@ -68,8 +69,8 @@ public:
           log_(log),
           output_(root_, fullDiskPolicy()),
           stored_(storedRecord(options)),
-          record_(options.from ? RunRecord(root_, options.from->runId, options.from->wallSeconds)
-                               : RunRecord(root_, model.control.previousRun, log)),
+          record_(options.from ? RunRecord(output_, options.from->runId, options.from->wallSeconds)
+                               : RunRecord(output_, model.control.previousRun, log)),
           frames_(solver, model, output_, record_.id()),
           histories_(output_, model, record_.id(), storedHistories(stored_), log),
           health_(model, solver),
@@ -86,7 +87,7 @@ public:
         try {
             loop();
         } catch (const Error& error) {
-            end(error.code() == ExitCode::stopped ? RunState::stopped : RunState::failed);
+            endAfter(error);
             throw withWayOn(error);
         }
         end(RunState::finished);
@@ -339,6 +340,17 @@ private:
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
+    void endAfter(const Error& error)
+    {
+        const auto* file = dynamic_cast<const FileError*>(&error);
+        try {
+            record_.end(error.code() == ExitCode::stopped ? RunState::stopped : RunState::failed,
+                        clock_.time, clock_.steps,
+                        file ? file->file().lexically_relative(root_).string() : "");
+        } catch (const Error& second) { // the first one says more
+            log_.warning(std::string("status is not up to date: ") + second.what());
+        }
+    }
     double wall() const { return secondsSince(options_.begin); }
     std::int64_t firstStep() const { return options_.from ? options_.from->steps : 0; }
 

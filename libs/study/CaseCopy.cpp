@@ -2,6 +2,7 @@
 
 #include "base/Format.h"
 #include "case/Confinement.h"
+#include "case/LaterResults.h"
 #include "case/PreviousRun.h"
 #include "dictionary/EntryEdit.h"
 #include "dictionary/Number.h"
@@ -93,7 +94,8 @@ std::vector<std::string> meshFiles(const Dictionary& meshDict)
 
 bool isResult(const std::string& name)
 {
-    static const std::vector<std::string> names{"postProcessing", "failed", "status", "why.txt"};
+    static const std::vector<std::string> names{"postProcessing", "checkpoint", laterFolder,
+                                                "failed",         "status",     "why.txt"};
     const bool isTime = name != "0" && readNumber(name).has_value();
     return isTime || name.starts_with("log.") || name.ends_with(".series")
            || name.ends_with(".xdmf") || std::find(names.begin(), names.end(), name) != names.end();

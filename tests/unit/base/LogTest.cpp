@@ -84,6 +84,18 @@ TEST_F(LogFile, NamesAnError)
     EXPECT_EQ(content(), "error: no such part\n");
 }
 
+TEST_F(LogFile, HoldsNoControlCharacters)
+{
+    Log log = test::logInto(file_);
+
+    log.line("case a\x1B[2Jb");
+    log.warning("\xC2\x9B");
+    log.progress("1\r2");
+    log.error("x\x07\n  = y\tz");
+
+    EXPECT_EQ(content(), "case a?[2Jb\nwarning: ?\n1?2\nerror: x?\n  = y\tz\n");
+}
+
 TEST_F(LogFile, GoesOnWhenMoved)
 {
     Log first = test::logInto(file_);
