@@ -143,7 +143,7 @@ void needs(const Model& model, const std::vector<std::string>& fields)
 TEST(State, HasNoIdleFields)
 {
     needs(impact(), {"velocity", "state", "plasticStrain", "partialForce", "interiorForce",
-                     "patchEnergy", "sum", "face", "friction", "dissipated", "startEnergy"});
+                     "patchEnergy", "sum", "face", "tangentialForce", "dissipated", "startEnergy"});
 }
 
 TEST(State, IsRefusedByAnotherModel)
