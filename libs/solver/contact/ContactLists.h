@@ -53,7 +53,7 @@ public:
     std::int64_t searches(std::int64_t steps) const;
 
 private:
-    enum class When { never, asListsLast, interval, everyStep };
+    enum class When { never, whenInvalid, interval, everyStep };
 
     void decideWhen();
     void makeLists(bool all);

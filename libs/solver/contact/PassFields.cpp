@@ -66,13 +66,13 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     around.resize(count);
     xi.resize(count);
     eta.resize(count);
-    friction.resize(rough ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
     surfaceForce.resize(analytic ? 3 * count : 0);
-    spring.resize(count);
+    springEnergy.resize(count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
     damped.resize(damping ? count : 0);
