@@ -203,6 +203,14 @@ std::vector<std::int64_t> Hdf5Reader::integers(const std::string& path) const
     return readNumbers<std::int64_t>(*content_, array, path, H5T_NATIVE_INT64);
 }
 
+std::vector<std::byte> Hdf5Reader::bytes(const std::string& path) const
+{
+    const Array array = openArray(*content_, path);
+    const Type type(readable(*content_, H5Dget_type(array.dataset), path));
+    if (H5Tget_size(type) != 1) refuse(content_->name, path + " holds no bytes");
+    return readNumbers<std::byte>(*content_, array, path, H5T_NATIVE_UINT8);
+}
+
 std::string Hdf5Reader::text(const std::string& group, const std::string& attribute) const
 {
     const auto found = openAttribute(*content_, group, attribute);

@@ -32,7 +32,7 @@ protected:
         for (std::size_t n = 0; n < model_.mesh.points.size(); ++n)
             u.values.insert(u.values.end(), {0, 0, lift});
         frame.nodeFields = {u};
-        writeFrame(folder_.root(), name, frame, model_.mesh.points.size(),
+        writeFrame(OutputFolder(folder_.root()), name, frame, model_.mesh.points.size(),
                    model_.mesh.hexahedra.size());
     }
     void addHistories(const std::string& runId) const

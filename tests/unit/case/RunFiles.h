@@ -23,7 +23,7 @@ public:
     {
         Hdf5Image image;
         image.attribute("/fpm", "meshChecksum", checksum);
-        image.save(folder_.root() / "constant/mesh.vtkhdf");
+        image.save(OutputFolder(folder_.root()), "constant/mesh.vtkhdf");
     }
     void frame(const std::string& time, const std::string& mesh = "") const
     {
@@ -31,7 +31,7 @@ public:
         frame.time = std::stod(time);
         frame.runId = runId_;
         frame.meshChecksum = mesh;
-        writeFrame(folder_.root(), time, frame, 8, 1);
+        writeFrame(OutputFolder(folder_.root()), time, frame, 8, 1);
     }
     void marked(const std::string& file) const
     {
@@ -57,7 +57,7 @@ public:
         performance.runId = runId_;
         folder_.write(performanceFile, performance.text());
         folder_.write("postProcessing/performance/0/performance.json", "{}");
-        writeSeries(folder_.root(), runId_, times);
+        writeSeries(OutputFolder(folder_.root()), runId_, times);
         status(RunState::finished);
     }
 

@@ -32,7 +32,7 @@ void writeMeshOf(const std::filesystem::path& root, const std::string& label = "
     Hdf5Image image;
     writeGrid(image, cube, oneCell);
     image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
-    image.save(root / "constant" / "mesh.vtkhdf", label);
+    image.save(OutputFolder(root), "constant/mesh.vtkhdf", label);
 }
 
 } // namespace
@@ -78,7 +78,7 @@ TEST(VtkHdf, ReadsBackAFrame)
     const TemporaryFolder folder;
     writeMeshOf(folder.path());
 
-    writeFrame(folder.path(), "0.00015", exampleFrame(1.5e-4), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0.00015", exampleFrame(1.5e-4), 8, 1);
     const Frame frame = readFrame(folder / "0.00015/fields.vtkhdf");
 
     EXPECT_EQ(frame.time, 1.5e-4);
@@ -111,7 +111,7 @@ TEST(VtkHdf, AFrameShowsTheNumbersOfTheMeshAndHoldsNoneItself)
     const TemporaryFolder folder;
     writeMeshOf(folder.path(), "ids mesh 0123456789abcdef");
 
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
 
     const auto file = folder / "0/fields.vtkhdf";
     EXPECT_EQ(linkAt(file, "/VTKHDF/PointData/NodeId"), H5L_TYPE_EXTERNAL);
@@ -127,7 +127,7 @@ TEST(VtkHdf, AFrameOfAnOlderMeshWithoutNumbersHasNoLinksIntoTheVoid)
     const TemporaryFolder folder;
     writeMeshOf(folder.path()); // no label
 
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
 
     EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/PointData/NodeId"), H5L_TYPE_ERROR);
     EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/CellData/ElementId"), H5L_TYPE_ERROR);
@@ -139,14 +139,14 @@ TEST(VtkHdf, RefusesFieldsOfTheWrongLength)
     Frame frame = exampleFrame(0);
     frame.nodeFields[0].values.pop_back();
 
-    EXPECT_THROW(writeFrame(folder.path(), "0", frame, 8, 1), Error);
+    EXPECT_THROW(writeFrame(OutputFolder(folder.path()), "0", frame, 8, 1), Error);
     EXPECT_FALSE(std::filesystem::exists(folder / "0/fields.vtkhdf"));
 }
 
 TEST(VtkHdf, RefusesADamagedFrame)
 {
     const TemporaryFolder folder;
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
     std::string bytes = readBytes(folder / "0/fields.vtkhdf");
     bytes[bytes.size() / 2] ^= 4;
     writeBytes(folder / "0/fields.vtkhdf", bytes);
