@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/VtkHdf.h"
 #include "mesh/Mesh.h"
 
 #include <filesystem>
@@ -14,5 +15,7 @@ void writeMesh(const std::filesystem::path& file, const Mesh& mesh);
 Mesh readMesh(const std::filesystem::path& file);
 /// Checksum of coordinates, connectivity, parts and sets (not of the contact surfaces).
 std::string meshChecksum(const Mesh& mesh);
+/// What frames of a run with this mesh must fit.
+FrameMesh frameMesh(const Mesh& mesh);
 
 } // namespace fpm
