@@ -17,12 +17,11 @@ int main(int argc, char** argv)
     return fpm::runApplication(info, argc, argv, [](fpm::Run& run) {
         const fpm::Mesh mesh =
             fpm::makeMesh(run.dictionary(), run.theCase, run.has("allowGeo"), run.log);
-        const std::string file = "constant/mesh.vtkhdf";
         fpm::keepMeshOfFrames(run.theCase.root());
-        fpm::writeMesh(run.theCase.path(file), mesh);
+        fpm::writeMesh(run.theCase.output(), mesh);
         run.log.line(
             fpm::format("wrote {}: {} elements, {} nodes, {} parts, {} side sets, {} node sets",
-                        file, mesh.hexahedra.size(), mesh.points.size(), mesh.parts.size(),
+                        fpm::meshFile, mesh.hexahedra.size(), mesh.points.size(), mesh.parts.size(),
                         mesh.sideSets.size(), mesh.nodeSets.size()));
     });
 }

@@ -15,9 +15,8 @@ int main(int argc, char** argv)
         .locksCase = true,
     };
     return fpm::runApplication(info, argc, argv, [](fpm::Run& run) {
-        const auto file = run.theCase.path("constant/mesh.vtkhdf");
-        fpm::Mesh mesh = fpm::readMesh(file);
+        fpm::Mesh mesh = fpm::readMesh(run.theCase.path(fpm::meshFile));
         fpm::setContact(mesh, run.dictionary(), run.theCase, run.log);
-        fpm::writeMesh(file, mesh);
+        fpm::writeMesh(run.theCase.output(), mesh);
     });
 }

@@ -3,7 +3,6 @@
 #include "base/Format.h"
 #include "dictionary/Dictionary.h"
 #include "dictionary/EntryEdit.h"
-#include "io/AtomicFile.h"
 
 #include <fstream>
 #include <regex>
@@ -33,10 +32,11 @@ std::set<std::string> macrosOf(const std::string& text)
 
 /// An unused value at the top level would be an unknown keyword. In controlDict, whose values at
 /// the top level are read as entries, nothing is removed.
-void removeOrphans(const std::filesystem::path& root,
+void removeOrphans(const OutputFolder& copy,
                    const std::string& file,
                    const std::set<std::string>& before)
 {
+    const auto root = std::filesystem::canonical(copy.path());
     if (file == "system/controlDict" || !std::filesystem::exists(root / file)) return;
     const std::set<std::string> now = macrosOf(textOf(root / file));
     for (const std::string& name : before) {
@@ -44,7 +44,7 @@ void removeOrphans(const std::filesystem::path& root,
         if (now.count(name) > 0 || !dictionary.has(name) || dictionary.isDictionary(name)) continue;
         const EntryEdit edit =
             removeEntry(root / file, root, name, format("{}: nothing uses it any more", name));
-        writeFileAtomically(root / edit.file, edit.text);
+        copy.write(edit.file.string(), edit.text);
     }
 }
 
@@ -74,21 +74,20 @@ void CaseEdits::add(const CaseEdits& others)
     notes.insert(notes.end(), others.notes.begin(), others.notes.end());
 }
 
-void CaseEdits::make(const Case& theCase, const std::filesystem::path& copy) const
+void CaseEdits::make(const Case& theCase, const OutputFolder& copy) const
 {
-    const auto root = std::filesystem::canonical(copy);
+    const auto root = std::filesystem::canonical(copy.path());
     std::map<std::string, std::set<std::string>> macros;
     for (const CaseChange& one : changes) macros[one.file] = macrosOf(textOf(root / one.file));
     for (const Removal& one : removals) macros[one.file] = macrosOf(textOf(root / one.file));
     for (const CaseChange& one : kept) change(theCase, copy, one);
     for (const CaseChange& one : changes) change(theCase, copy, one);
     for (const Removal& one : removals) {
-        const EntryEdit edit = removeEntry(copy / one.file, root, one.path, one.note);
-        writeFileAtomically(copy / edit.file, edit.text);
+        const EntryEdit edit = removeEntry(root / one.file, root, one.path, one.note);
+        copy.write(edit.file.string(), edit.text);
     }
-    for (const auto& [file, names] : macros) removeOrphans(root, file, names);
-    for (const auto& [file, text] : additions)
-        writeFileAtomically(copy / file, textOf(copy / file) + text);
+    for (const auto& [file, names] : macros) removeOrphans(copy, file, names);
+    for (const auto& [file, text] : additions) copy.write(file, textOf(root / file) + text);
 }
 
 } // namespace fpm

@@ -26,7 +26,7 @@ struct CaseEdits {
     void add(const CaseEdits& others);
     bool empty() const { return changes.empty() && removals.empty() && additions.empty(); }
     /// Throws InputError where one cannot be made.
-    void make(const Case& theCase, const std::filesystem::path& copy) const;
+    void make(const Case& theCase, const OutputFolder& copy) const;
 };
 
 } // namespace fpm

@@ -3,13 +3,13 @@
 #include "advise/Symmetry.h"
 #include "advise/SymmetryEdits.h"
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "mesh/MeshFile.h"
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
 namespace fpm {
 
@@ -17,48 +17,59 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const meshFile = "constant/mesh.vtkhdf";
-
-/// Removes a folder at the end of its scope, unless it was kept.
+/// A copy that is removed at the end of its scope, unless it was kept.
 class Draft
 {
 public:
-    explicit Draft(fs::path folder) : folder_(std::move(folder)) {}
+    explicit Draft(const fs::path& target)
+        : place_(OutputFolder::make(target.parent_path())),
+          target_(target.filename().string()),
+          name_(format(".{}.draft", target_))
+    {
+        removeCopy(place_, name_);
+        copy_.emplace(makeCopyFolder(place_, name_));
+    }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
     ~Draft()
     {
-        std::error_code ignored;
-        if (!folder_.empty()) fs::remove_all(folder_, ignored);
+        if (kept_) return;
+        try {
+            removeCopy(place_, name_);
+        } catch (const std::exception&) {
+            // The next call removes it, or says why it cannot.
+        }
     }
-    const fs::path& folder() const { return folder_; }
-    void keepAs(const fs::path& target)
+    const OutputFolder& output() const { return *copy_; }
+    void keep()
     {
-        fs::rename(folder_, target);
-        folder_.clear();
+        keepCopy(*copy_);
+        place_.rename(name_, target_);
+        kept_ = true;
     }
 
 private:
-    fs::path folder_;
+    OutputFolder place_;
+    std::string target_, name_;
+    std::optional<OutputFolder> copy_;
+    bool kept_ = false;
 };
 
 /// Renames a file that did not make this case.
-void setAside(const fs::path& folder, const std::string& file, const std::string& name)
+void setAside(const OutputFolder& folder, const std::string& file, const std::string& name)
 {
-    if (fs::exists(folder / file)) fs::rename(folder / file, folder / name);
+    if (fs::exists(folder.path(file))) folder.rename(file, name);
 }
 
 /// A cut mesh is not made by fpmMesh: its line leaves the scripts.
-void forgetMesher(const fs::path& script)
+void forgetMesher(const OutputFolder& folder, const std::string& script)
 {
-    std::ifstream stream(script);
+    std::ifstream stream(folder.path(script));
     if (!stream) return;
     std::string text, line;
     while (std::getline(stream, line))
         if (line.find("runApplication fpmMesh") == line.npos) text += line + "\n";
-    const auto permissions = fs::status(script).permissions();
-    writeFileAtomically(script, text);
-    fs::permissions(script, permissions);
+    folder.write(script, text);
 }
 
 /// The surfaces of the cut case are those of the whole one, as far as they are kept.
@@ -121,9 +132,9 @@ std::vector<std::string> cutNotes(const Model& model, const Cut& cut)
     return notes;
 }
 
-std::vector<std::string> cutCase(const fs::path& folder, Log& log)
+std::vector<std::string> cutCase(const OutputFolder& folder, Log& log)
 {
-    const Case draft(folder);
+    const Case draft(folder.path());
     updateContact(draft, log);
     Log quiet = Log::quiet();
     const Model model = readModel(draft, quiet);
@@ -139,15 +150,15 @@ std::vector<std::string> cutCase(const fs::path& folder, Log& log)
     const std::vector<std::string> notes = cutNotes(model, cut);
     edits.notes.insert(edits.notes.begin(), notes.begin(), notes.end());
     edits.make(draft, folder);
-    writeMesh(folder / meshFile, cutMesh(mesh, cut));
+    writeMesh(folder, cutMesh(mesh, cut));
     setAside(folder, "system/meshDict", "system/meshDict.whole");
-    forgetMesher(folder / "Allrun");
+    forgetMesher(folder, "Allrun");
     updateContact(draft, log);
     requireSurfaces(model, readModel(draft, quiet), cut);
     return edits.notes;
 }
 
-void writeReadme(const fs::path& folder,
+void writeReadme(const OutputFolder& folder,
                  const fs::path& original,
                  const std::vector<Advice>& advice,
                  const std::vector<std::string>& cutNotes)
@@ -164,7 +175,7 @@ void writeReadme(const fs::path& folder,
     }
     if (!cutNotes.empty()) text += "- symmetry:\n";
     for (const std::string& note : cutNotes) text += format("  - {}.\n", note);
-    writeFileAtomically(folder / "README.md", text);
+    folder.write("README.md", text);
 }
 
 } // namespace
@@ -196,23 +207,20 @@ void writeReducedCase(const Case& theCase,
     if (!inside.empty() && *inside.begin() != "..")
         throw Error(ExitCode::commandLine, format("{} lies in the case itself", target.string()),
                     "name a folder outside of it");
-    fs::create_directories(place.parent_path());
-    Draft draft(place.parent_path() / format(".{}.draft", place.filename().string()));
-    fs::remove_all(draft.folder());
-    copyCase(theCase, draft.folder());
-    fs::create_directories(draft.folder() / "constant");
-    fs::copy_file(theCase.path(meshFile), draft.folder() / meshFile,
-                  fs::copy_options::overwrite_existing);
+    Draft draft(place);
+    const OutputFolder& output = draft.output();
+    copyCase(theCase, output);
+    output.copy(theCase.path(meshFile), meshFile);
     CaseEdits edits;
     for (const Advice& one : advice) edits.add(one.edits);
-    edits.make(theCase, draft.folder());
+    edits.make(theCase, output);
     std::vector<std::string> notes;
-    if (cut) notes = cutCase(draft.folder(), log);
-    const Case made(draft.folder());
+    if (cut) notes = cutCase(output, log);
+    const Case made(output.path());
     updateContact(made, log);
     readModel(made, log);
-    writeReadme(draft.folder(), theCase.root(), advice, notes);
-    draft.keepAs(place);
+    writeReadme(output, theCase.root(), advice, notes);
+    draft.keep();
     log.line(format("written: {}", target.string()));
 }
 

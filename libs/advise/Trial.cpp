@@ -3,6 +3,7 @@
 #include "advise/ReducedCase.h"
 #include "base/ChildProcess.h"
 #include "base/Format.h"
+#include "io/FolderTree.h"
 #include "mesh/MeshFile.h"
 #include "model/readModel.h"
 #include "study/Curve.h"
@@ -34,8 +35,11 @@ public:
     Workshop& operator=(const Workshop&) = delete;
     ~Workshop()
     {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
+        try {
+            removeTree(OutputFolder(path_.parent_path()), path_.filename().string());
+        } catch (const std::exception&) {
+            // What is left lies in the folder for temporary files.
+        }
     }
     fs::path at(const std::string& name) const { return path_ / name; }
 
@@ -169,7 +173,7 @@ Results pilotRun(const Case& theCase, const Model& model, double share, Log& log
     edits.set("system/controlDict", "writeInterval", toText(end / 20));
     edits.set("system/controlDict", "historyInterval", toText(end / 500));
     edits.set("system/controlDict", "functions.adviseEnergies.type", "energies");
-    edits.make(pilot, pilot.root());
+    edits.make(pilot, pilot.output());
     log.line(format("pilot run up to {}, {} % of the whole", end, toText(100 * share, 3)));
     const RunRow row = runWhole(pilot.root(), "the pilot run");
     log.line(format("pilot: {} steps, {} s", toText(row.steps, 6), toText(row.wall, 3)));

@@ -7,7 +7,6 @@
 #include "case/CaseLock.h"
 #include "case/Confinement.h"
 #include "case/PreviousRun.h"
-#include "io/AtomicFile.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -83,7 +83,7 @@ void writeDefaults(const ApplicationInfo& info,
 
     if (info.proposal && dictionary == info.dictionary
         && fs::exists(root / "system/controlDict", failure)) {
-        writeFileAtomically(target, info.proposal(Case(root)));
+        OutputFolder(root).write(dictionary, info.proposal(Case(root)));
         return log.line(format("written: {} (proposed for this case; {} -listKeys shows all "
                                "keywords)",
                                target.string(), info.name));
@@ -93,7 +93,7 @@ void writeDefaults(const ApplicationInfo& info,
     std::ostringstream text;
     text << stream.rdbuf();
     if (!stream) throw Error(ExitCode::fileIo, format("cannot read {}", source.string()));
-    writeFileAtomically(target, text.str());
+    OutputFolder(root).write(dictionary, text.str());
     log.line(
         format("written: {} (every keyword there is; keep what the case needs)", target.string()));
 }
@@ -119,13 +119,16 @@ bool answerQuestion(const ApplicationInfo& info, const OptionValues& options, Lo
 /// a case that is read-only, say) is left alone, and the run is logged on the terminal only.
 Log openLog(const Case& theCase, const ApplicationInfo& info)
 {
-    const auto file = theCase.path("log." + info.name);
-    auto previous = file;
-    previous += ".1";
-    std::error_code failure;
-    fs::rename(file, previous, failure);
-    if (fs::exists(fs::symlink_status(file, failure))) return Log();
-    return Log(file);
+    const std::string file = "log." + info.name;
+    try {
+        const OutputFolder output = theCase.output();
+        std::error_code failure;
+        if (fs::exists(fs::symlink_status(theCase.path(file), failure)))
+            output.rename(file, file + ".1");
+        return Log(output.open(file, O_WRONLY | O_CREAT | O_EXCL | O_APPEND).release());
+    } catch (const Error&) {
+        return Log();
+    }
 }
 
 void logBanner(Run& run, int argc, char** argv)

@@ -1,6 +1,7 @@
 #include "base/Log.h"
 
 #include "base/Format.h"
+#include "base/Utf8.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -60,7 +61,7 @@ std::string labelled(std::string_view label, std::string_view text, std::string_
 
 } // namespace
 
-Log::Log(const std::filesystem::path& file) : file_(file, std::ios::trunc) {}
+Log::Log(int file) : file_(file < 0 ? nullptr : ::fdopen(file, "a")) {}
 
 Log Log::quiet()
 {
@@ -90,8 +91,9 @@ void Log::warning(std::string_view text)
     if (found->second == mostRepeats) line("         (from here on this warning is only counted)");
 }
 
-void Log::progress(std::string_view text)
+void Log::progress(std::string_view given)
 {
+    const std::string text = printableLines(given);
     writeToFile(text);
     if (!terminal_) return;
     if (!isScreen(STDOUT_FILENO)) return writeToTerminal({}, text);
@@ -101,9 +103,10 @@ void Log::progress(std::string_view text)
     progressOpen_ = true;
 }
 
-void Log::error(std::string_view text)
+void Log::error(std::string_view given)
 {
     constexpr std::string_view label = "error: ";
+    const std::string text = printableLines(given);
     endProgress();
     writeToFile(std::string(label).append(text));
     if (terminal_) send(stderr, labelled(label, text, red, STDERR_FILENO));
@@ -120,8 +123,9 @@ void Log::finish()
     lostLines_ = 0;
 }
 
-void Log::write(std::string_view label, std::string_view text)
+void Log::write(std::string_view label, std::string_view given)
 {
+    const std::string text = printableLines(given);
     writeToFile(std::string(label).append(text));
     if (terminal_) writeToTerminal(label, text);
 }
@@ -129,10 +133,7 @@ void Log::write(std::string_view label, std::string_view text)
 void Log::writeToFile(std::string_view text)
 {
     if (text_) text_->append(text).append("\n");
-    if (!file_.is_open()) return;
-    file_.clear();
-    file_ << text << '\n' << std::flush;
-    if (!file_) ++lostLines_;
+    if (file_ && !send(file_.get(), std::string(text).append("\n"))) ++lostLines_;
 }
 
 void Log::writeToTerminal(std::string_view label, std::string_view text)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
+#include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,9 +14,9 @@ namespace fpm {
 class Log
 {
 public:
-    Log() = default;                                 ///< terminal only
-    explicit Log(const std::filesystem::path& file); ///< terminal and file (truncated)
-    static Log quiet();                              ///< neither; for tests
+    Log() = default;                    ///< terminal only
+    explicit Log(int file);             ///< terminal and an open file, which it closes; -1: none
+    static Log quiet();                 ///< neither; for tests
     static Log into(std::string& text); ///< neither; adds its lines to `text`, which outlives it
 
     void line(std::string_view text = "");
@@ -35,7 +35,10 @@ private:
     void writeToTerminal(std::string_view label, std::string_view text);
     void endProgress();
 
-    std::ofstream file_;
+    struct Closer {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::unique_ptr<std::FILE, Closer> file_;
     std::string* text_ = nullptr;
     int lostLines_ = 0;
     bool terminal_ = true;

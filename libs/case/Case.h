@@ -2,6 +2,7 @@
 
 #include "base/Log.h"
 #include "dictionary/Dictionary.h"
+#include "io/OutputFolder.h"
 
 #include <filesystem>
 #include <string_view>
@@ -19,6 +20,8 @@ public:
 
     const std::filesystem::path& root() const { return root_; }
     std::filesystem::path path(std::string_view relative) const { return root_ / relative; }
+    /// What is written into the case goes through this.
+    OutputFolder output() const { return OutputFolder(root_); }
     /// Throws Error(dictionary) naming the file when it does not exist.
     Dictionary dictionary(std::string_view relative) const;
     bool hasFile(std::string_view relative) const;

@@ -26,7 +26,8 @@ fs::path confinedPath(const fs::path& root, std::string_view relative)
         std::error_code failure;
         if (!fs::is_symlink(fs::symlink_status(path, failure))) continue;
         const auto target = fs::canonical(path, failure);
-        if (failure || !isBeneath(target, root)) refuse("passes a link that leads out of the case");
+        if (failure || !isBeneath(target, root))
+            refuse(format("passes the link '{}', which leads out of the case", path.string()));
     }
     return path;
 }

@@ -2,9 +2,8 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "case/Confinement.h"
 #include "case/RunStatus.h"
-#include "io/AtomicFile.h"
+#include "io/FolderTree.h"
 #include "io/Frames.h"
 #include "io/RunMark.h"
 
@@ -57,6 +56,11 @@ public:
                 && !name.starts_with('.'))
                 addFrames(name);
         if (isPlainFolder(root_ / "postProcessing")) addMarked("postProcessing", 2);
+        if (isPlainFolder(root_ / checkpointFolder)) addCheckpoints();
+        // Laid out as the case, of the same run.
+        if (isPlainFolder(root_ / laterFolder) && root_.filename() != laterFolder)
+            for (const std::string& file : ResultSearch(root_ / laterFolder).take())
+                files_.push_back(std::string(laterFolder) + "/" + file);
     }
     std::vector<std::string> take() { return std::move(files_); }
 
@@ -79,6 +83,18 @@ private:
         add(folder + "/fields.vtkhdf");
         for (const std::string& name : foldersIn(folder))
             add(folder + "/" + name + "/fields.vtkhdf");
+    }
+
+    /// Whole or cut short.
+    void addCheckpoints()
+    {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(root_ / checkpointFolder, error)) {
+            const std::string name = entry.path().filename().string();
+            const bool isOurs = (name.starts_with("state.") || name == "next.h5")
+                                && name.ends_with(".h5") && isPlainFile(entry.path());
+            if (isOurs) files_.push_back(std::string(checkpointFolder) + "/" + name);
+        }
     }
 
     /// What fpmChart and fpmStability left is of many runs, in copies of the case.
@@ -133,18 +149,17 @@ std::string runOf(const fs::path& caseRoot)
 }
 
 /// Removes the folders above a file as far as they are empty now.
-void prune(const fs::path& root, const std::string& file)
+void prune(const OutputFolder& output, const std::string& file)
 {
-    std::error_code error;
     for (auto folder = fs::path(file).parent_path(); !folder.empty(); folder = folder.parent_path())
-        if (!fs::remove(root / folder, error)) return;
+        if (!output.remove(folder.string())) return;
 }
 
-void removeFiles(const fs::path& root, const std::vector<std::string>& files)
+void removeFiles(const OutputFolder& output, const std::vector<std::string>& files)
 {
     for (const std::string& file : files) {
-        fs::remove(root / file);
-        prune(root, file);
+        output.remove(file);
+        prune(output, file);
     }
 }
 
@@ -155,21 +170,18 @@ void removeFiles(const fs::path& root, const std::vector<std::string>& files)
                 "previousRun remove in system/controlDict");
 }
 
-void moveFile(const fs::path& root, const std::string& file)
+void moveFile(const OutputFolder& output, const std::string& file)
 {
-    const fs::path target = confinedPath(root, std::string(previousFolder) + "/" + file);
-    fs::create_directories(target.parent_path());
-    if (fs::exists(fs::symlink_status(target))) refusePrevious(target, "is in the way");
-    std::error_code error;
-    fs::rename(root / file, target, error);
-    if (error)
-        refusePrevious(target, "cannot be made of the same file in the case: " + error.message());
-    prune(root, file);
+    const std::string target = std::string(previousFolder) + "/" + file;
+    if (std::error_code error; fs::exists(fs::symlink_status(output.path(target), error)))
+        refusePrevious(output.path(target), "is in the way");
+    output.rename(file, target);
+    prune(output, file);
 }
 
-void setMarker(const fs::path& previous, const char* state)
+void setMarker(const OutputFolder& output, const char* state)
 {
-    writeFileAtomically(previous / markerFile, std::string_view(state));
+    output.write(std::string(previousFolder) + "/" + markerFile, state);
 }
 
 /// Checksum of the mesh that the frames of a folder belong to; empty where none can be read.
@@ -193,39 +205,42 @@ bool hasChecksum(const fs::path& mesh, const std::string& checksum)
     }
 }
 
-/// Frames are shown through a link to the mesh: it goes with them, from where it is still there.
-void moveMesh(const fs::path& root)
+/// Gives a mesh a further name where it has one place of its own, else copies it.
+void linkMesh(const OutputFolder& output, const std::string& mesh, const std::string& target)
 {
-    const fs::path previous = root / previousFolder, target = previous / meshFile;
-    const std::string checksum = meshOfFrames(previous);
-    for (const char* place : {keptMesh, meshFile}) {
-        const fs::path mesh = root / place;
-        if (fs::exists(fs::symlink_status(target))) break;
-        if (!hasChecksum(mesh, checksum)) continue;
-        fs::create_directories(target.parent_path());
-        std::error_code error;
-        fs::create_hard_link(fs::canonical(mesh), target, error);
-        if (error) fs::copy_file(mesh, target);
+    if (!isPlainFile(output.path(mesh)) || !output.link(mesh, target))
+        output.copy(output.path(mesh), target);
+}
+
+/// Frames are shown through a link to the mesh: it goes with them, from where it is still there.
+void moveMesh(const OutputFolder& output)
+{
+    const std::string target = std::string(previousFolder) + "/" + meshFile;
+    const std::string checksum = meshOfFrames(output.path(previousFolder));
+    for (const char* mesh : {keptMesh, meshFile}) {
+        if (fs::exists(fs::symlink_status(output.path(target)))) break;
+        if (hasChecksum(output.path(mesh), checksum)) linkMesh(output, mesh, target);
     }
 }
 
 /// Leaves what a person has put there.
-void emptyPrevious(const fs::path& previous)
+void emptyPrevious(const OutputFolder& previous)
 {
-    auto files = resultFiles(previous);
-    if (isPlainFile(previous / meshFile)) files.emplace_back(meshFile);
+    auto files = resultFiles(previous.path());
+    if (isPlainFile(previous.path(meshFile))) files.emplace_back(meshFile);
     removeFiles(previous, files);
 }
 
 /// Room in `previous` for what is moved next.
-void openPrevious(const fs::path& previous)
+void openPrevious(const OutputFolder& output)
 {
+    const fs::path previous = output.path(previousFolder);
     std::error_code error;
     const bool isNew = !fs::exists(fs::symlink_status(previous, error))
                        || (isPlainFolder(previous) && fs::is_empty(previous, error));
     if (!isNew && !isPreviousRun(previous)) refusePrevious(previous, "was not made by fpmExplicit");
-    if (!isNew) emptyPrevious(previous);
-    setMarker(previous, moving);
+    if (!isNew) emptyPrevious(output.inner(previousFolder));
+    setMarker(output, moving);
 }
 
 /// Whether the earlier run came no further than its start: that is not worth the results of the run
@@ -239,42 +254,42 @@ bool hasOnlyStarted(const fs::path& root, const std::vector<std::string>& files)
     return status && status->steps == 0 && frames <= 1;
 }
 
-void keepResults(const fs::path& root, std::vector<std::string> files, Log& log)
+void keepResults(const OutputFolder& output, std::vector<std::string> files, Log& log)
 {
-    const fs::path previous = root / previousFolder;
+    const fs::path previous = output.path(previousFolder);
     const bool goesOn = isPreviousRun(previous) && isMoving(previous);
     if (files.empty() && !goesOn) return;
-    const std::string run = runOf(root);
-    if (!goesOn && !resultFiles(previous).empty() && hasOnlyStarted(root, files)) {
+    const std::string run = runOf(output.path());
+    if (!goesOn && !resultFiles(previous).empty() && hasOnlyStarted(output.path(), files)) {
         std::reverse(files.begin(), files.end()); // the status last, so that a rest is known again
-        removeFiles(root, files);
+        removeFiles(output, files);
         return log.line(
             format("removed what {} left at its start; {}/ is kept", run, previousFolder));
     }
-    if (!goesOn) openPrevious(previous);
-    for (const std::string& file : files) moveFile(root, file);
-    moveMesh(root);
-    setMarker(previous, complete);
+    if (!goesOn) openPrevious(output);
+    for (const std::string& file : files) moveFile(output, file);
+    moveMesh(output);
+    setMarker(output, complete);
     log.line(format("moved into {}/ what {} left: {}", previousFolder, run,
                     counts(resultFiles(previous))));
 }
 
-void removeResults(const fs::path& root, const std::vector<std::string>& files, Log& log)
+void removeResults(const OutputFolder& output, const std::vector<std::string>& files, Log& log)
 {
-    const fs::path previous = root / previousFolder;
-    if (isPreviousRun(previous) && isMoving(previous)) setMarker(previous, complete);
+    const fs::path previous = output.path(previousFolder);
+    if (isPreviousRun(previous) && isMoving(previous)) setMarker(output, complete);
     if (files.empty()) return;
-    const std::string run = runOf(root);
-    removeFiles(root, files);
+    const std::string run = runOf(output.path());
+    removeFiles(output, files);
     log.line(format("removed what {} left: {}", run, counts(files)));
 }
 
-/// Nothing behind a link is moved: it may be another case's, or on another disk.
-void warnOfLinks(const fs::path& root, Log& log)
+/// Before anything is moved: a run would be refused at its first file behind a link.
+void refuseLinks(const OutputFolder& output)
 {
-    std::error_code error;
-    if (fs::is_symlink(fs::symlink_status(root / "postProcessing", error)))
-        log.warning("postProcessing is a link: tables and pictures of earlier runs stay in it");
+    for (const char* folder : {"postProcessing", previousFolder})
+        if (std::error_code error; fs::is_symlink(fs::symlink_status(output.path(folder), error)))
+            output.openFolder(folder);
 }
 
 } // namespace
@@ -291,46 +306,48 @@ bool isPreviousRun(const fs::path& folder)
 
 void clearForRun(const fs::path& caseRoot, const std::string& mode, Log& log)
 {
+    const OutputFolder output(caseRoot);
     const auto files = resultFiles(caseRoot);
     if (mode == "refuse" && !files.empty())
         throw Error(ExitCode::fileIo,
                     format("the case holds results of {}: {}", runOf(caseRoot), counts(files)),
                     "move them away, or set previousRun keep or remove in system/controlDict");
-    warnOfLinks(caseRoot, log);
+    refuseLinks(output);
     if (mode == "remove")
-        removeResults(caseRoot, files, log);
+        removeResults(output, files, log);
     else
-        keepResults(caseRoot, files, log);
-    if (isPlainFile(caseRoot / keptMesh)) fs::remove(caseRoot / keptMesh);
+        keepResults(output, files, log);
+    if (isPlainFile(caseRoot / keptMesh)) output.remove(keptMesh);
 }
 
 void keepMeshOfFrames(const fs::path& caseRoot)
 {
     if (!hasChecksum(caseRoot / meshFile, meshOfFrames(caseRoot))) return;
-    std::error_code error;
-    fs::remove(caseRoot / keptMesh, error);
-    fs::create_hard_link(fs::canonical(caseRoot / meshFile), caseRoot / keptMesh, error);
+    const OutputFolder output(caseRoot);
+    output.remove(keptMesh);
+    linkMesh(output, meshFile, keptMesh);
 }
 
 void sweepTemporaries(const fs::path& caseRoot)
 {
     std::error_code error;
-    removeTemporaries(caseRoot, false);
+    const OutputFolder output(caseRoot);
+    removeTemporaries(output, "", false);
     for (const auto& entry : fs::directory_iterator(caseRoot, error)) {
-        const bool isCase = fs::exists(entry.path() / "system", error);
-        if (isCase || entry.path().filename() == "postProcessing" || !isPlainFolder(entry.path()))
-            continue;
-        removeTemporaries(entry.path(), false);
+        const auto name = entry.path().filename().string();
+        if (!fs::exists(entry.path() / "system", error) && name != "postProcessing")
+            removeTemporaries(output, name, false);
     }
     // fpmProbe writes there without the lock.
-    const auto results = caseRoot / "postProcessing";
-    if (!isPlainFolder(results)) return;
-    removeTemporaries(results, true);
-    for (const auto& entry : fs::directory_iterator(results, error)) {
+    const std::string results = "postProcessing";
+    if (!isPlainFolder(caseRoot / results)) return;
+    removeTemporaries(output, results, true);
+    for (const auto& entry : fs::directory_iterator(caseRoot / results, error)) {
         if (!isPlainFolder(entry.path())) continue;
-        removeTemporaries(entry.path(), true);
+        const std::string object = results + "/" + entry.path().filename().string();
+        removeTemporaries(output, object, true);
         for (const auto& inner : fs::directory_iterator(entry.path(), error))
-            if (isPlainFolder(inner.path())) removeTemporaries(inner.path(), true);
+            removeTemporaries(output, object + "/" + inner.path().filename().string(), true);
     }
 }
 

@@ -22,11 +22,12 @@ bool isPreviousRun(const std::filesystem::path& folder);
 /// Clears the case for a run; the caller holds the case lock. `mode`: keep moves the results of an
 /// earlier run into `previous`, replacing those of the run before; remove deletes them; refuse
 /// throws Error(fileIo) if there are any. Logs one line about it. If it is killed, the next call
-/// completes it. Throws Error(fileIo) where `previous` was not made by a run.
+/// completes it. Throws Error(fileIo) where `previous` was not made by a run, and where it or
+/// postProcessing is a link, through which nothing is written.
 void clearForRun(const std::filesystem::path& caseRoot, const std::string& mode, Log& log);
 
 /// Called before the mesh is replaced: frames in the case are shown through a link to it, so it is
-/// kept until they go into `previous`. Does nothing where the file system has no hard links.
+/// kept until they go into `previous`.
 void keepMeshOfFrames(const std::filesystem::path& caseRoot);
 
 /// Removes the temporary files that killed programs left in a case; the caller holds its lock.

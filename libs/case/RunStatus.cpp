@@ -4,13 +4,16 @@
 #include "base/Format.h"
 #include "base/Machine.h"
 #include "case/CaseLock.h"
+#include "case/StatusFile.h"
 #include "dictionary/Dictionary.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <limits>
 #include <random>
+#include <thread>
 #include <utility>
 
 namespace fpm {
@@ -36,7 +39,32 @@ std::optional<RunStatus> parse(const Dictionary& file)
     status.process = int(file.integerOr("pid", 0, 0, std::numeric_limits<int>::max()));
     status.host = file.wordOr("host", "");
     status.started = file.wordOr("started", "");
+    status.failedFile = file.wordOr("failedFile", "");
     return status;
+}
+
+/// The text of a status file that is not just being rewritten.
+std::optional<std::string> readText(const std::filesystem::path& file)
+{
+    constexpr int tries = 50;
+    for (int i = 0; i < tries; ++i) {
+        std::string content(1 << 16, '\0');
+        std::ifstream stream(file, std::ios::binary);
+        stream.read(content.data(), std::streamsize(content.size()));
+        content.resize(std::size_t(stream.gcount()));
+        if (auto text = statusText(content)) return text;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return std::nullopt;
+}
+
+/// As a string of a dictionary holds it.
+std::string quotable(std::string text)
+{
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return c == '"' || c == '\\' || (c >= 0 && c < ' '); }, '?');
+    return text;
 }
 
 /// What the solver wrote of the reason, as far as it can be printed.
@@ -64,17 +92,20 @@ std::string RunStatus::text() const
 {
     return format("state {};\nrunId \"{}\";\ntime {};\nsteps {};\nwallSeconds {};\n", nameOf(state),
                   runId, toText(time), steps, wallSeconds)
-           + format("pid {};\nhost \"{}\";\nstarted \"{}\";\n", process, host, started) + more;
+           + format("pid {};\nhost \"{}\";\nstarted \"{}\";\n", process, host, started)
+           + (failedFile.empty() ? "" : format("failedFile \"{}\";\n", quotable(failedFile)))
+           + more;
 }
 
 std::optional<RunStatus> readStatus(const std::filesystem::path& caseRoot)
 {
     std::error_code failure;
-    const auto file = caseRoot / "status";
-    if (!std::filesystem::is_regular_file(file, failure)) return std::nullopt;
+    const auto file = caseRoot / statusFile;
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, failure)))
+        return std::nullopt;
     std::optional<RunStatus> status;
     try {
-        status = parse(Dictionary::read(file, caseRoot));
+        if (const auto text = readText(file)) status = parse(Dictionary::parse(*text, statusFile));
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -102,7 +133,8 @@ std::string describe(const RunStatus& status, const std::filesystem::path& caseR
         break;
     }
     text += format(" {} at time {}", nameOf(status.state), time);
-    const std::string reason = status.state == RunState::failed ? reasonIn(caseRoot) : "";
+    std::string reason = status.state == RunState::failed ? reasonIn(caseRoot) : "";
+    if (!status.failedFile.empty()) reason = format("it could not write {}", status.failedFile);
     return reason.empty() ? text : text + ": " + reason;
 }
 

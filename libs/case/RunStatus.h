@@ -7,6 +7,9 @@
 
 namespace fpm {
 
+/// Where it stands in a case.
+inline constexpr const char* statusFile = "status";
+
 enum class RunState { running, finished, stopped, failed, died };
 std::string nameOf(RunState state);
 
@@ -19,6 +22,7 @@ struct RunStatus {
     double wallSeconds = 0;
     int process = 0;
     std::string host, started; ///< UTC, "2025-01-31T12:00:00Z"
+    std::string failedFile;    ///< of a run that failed: the file it could not write, if any
     std::string more;          ///< further entries, written only
 
     std::string text() const;

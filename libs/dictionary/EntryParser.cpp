@@ -1,9 +1,9 @@
 #include "dictionary/EntryParser.h"
 
 #include "base/Format.h"
+#include "base/Utf8.h"
 #include "dictionary/Limits.h"
 #include "dictionary/Number.h"
-#include "dictionary/Utf8.h"
 
 namespace fpm {
 

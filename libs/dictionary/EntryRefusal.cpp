@@ -1,7 +1,7 @@
 #include "base/Format.h"
+#include "base/Utf8.h"
 #include "dictionary/EntryParser.h"
 #include "dictionary/Limits.h"
-#include "dictionary/Utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -80,7 +80,9 @@ FileContent EntryParser::openIncluded(const Token& token) const
     } catch (const ReadFailure& failure) {
         throw Fault{token,
                     format("cannot include {}: {}", excerpt(document_.text(token)), failure.reason),
-                    failure.isRefused ? std::string(inside) : ""};
+                    !failure.advice.empty() ? failure.advice
+                    : failure.isRefused     ? std::string(inside)
+                                            : ""};
     }
 }
 

@@ -1,9 +1,9 @@
 #include "dictionary/Lexer.h"
 
 #include "base/Format.h"
+#include "base/Utf8.h"
 #include "dictionary/Limits.h"
 #include "dictionary/Number.h"
-#include "dictionary/Utf8.h"
 
 #include <algorithm>
 
@@ -51,8 +51,6 @@ std::string numberAdvice(std::string_view text)
         return "write the number with decimal digits";
     if (text.starts_with('+') && isNumber(text.substr(1)))
         return format("write {}", text.substr(1));
-    if (size.starts_with('.') && isNumber(std::string("0").append(size)))
-        return format("write {}0{}", isNegative ? "-" : "", size);
     const bool hasUnit = std::any_of(text.begin(), text.end(), [](char character) {
         return isLetter(character) && character != 'e' && character != 'E';
     });
@@ -197,7 +195,10 @@ Token Lexer::number(std::size_t at) const
     const auto token = run(TokenKind::number, at, endOfRun(text_, at, isNumberLike));
     const auto content = text_.substr(at, token.length);
     if (isNumber(content)) return token;
-    throw Fault{token, format("'{}' is not a number", excerpt(content)), numberAdvice(content)};
+    const bool isName = content.size() > 1 && content[0] == '.' && isWordStart(content[1]);
+    throw Fault{token, format("'{}' is {}", excerpt(content), isName ? "no word" : "not a number"),
+                isName ? "words begin with a letter or '_': put the name of a file in \"quotes\""
+                       : numberAdvice(content)};
 }
 
 Token Lexer::run(TokenKind kind, std::size_t begin, std::size_t end) const

@@ -49,8 +49,9 @@ bool isBelowOne(std::string_view number)
 bool isNumber(std::string_view text)
 {
     dropOneOf(text, "-");
-    if (dropDigits(text) == 0) return false;
-    if (dropOneOf(text, ".")) dropDigits(text);
+    std::size_t count = dropDigits(text);
+    if (dropOneOf(text, ".")) count += dropDigits(text);
+    if (count == 0) return false;
     if (dropOneOf(text, "eE")) {
         dropOneOf(text, "+-");
         if (dropDigits(text) == 0) return false;

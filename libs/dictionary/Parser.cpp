@@ -1,12 +1,12 @@
 #include "dictionary/Parser.h"
 
 #include "base/Format.h"
+#include "base/Utf8.h"
 #include "dictionary/Dictionary.h"
 #include "dictionary/EntryParser.h"
 #include "dictionary/Limits.h"
 #include "dictionary/Macros.h"
 #include "dictionary/Report.h"
-#include "dictionary/Utf8.h"
 
 namespace fpm {
 
@@ -44,7 +44,8 @@ FileContent readMain(const std::filesystem::path& file, const std::filesystem::p
         return readConfined(file, root, limits::fileBytes);
     } catch (const ReadFailure& failure) {
         throw Error(failure.isRefused ? ExitCode::dictionary : ExitCode::fileIo,
-                    format("cannot read {}: {}", printable(file.string()), failure.reason));
+                    format("cannot read {}: {}", printable(file.string()), failure.reason),
+                    failure.advice);
     }
 }
 

@@ -1,6 +1,6 @@
 #include "dictionary/Report.h"
 
-#include "dictionary/Utf8.h"
+#include "base/Utf8.h"
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 #include "dictionary/SourceFile.h"
 
 #include "base/Format.h"
-#include "dictionary/Utf8.h"
+#include "base/ReadObstacle.h"
+#include "base/Utf8.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -33,9 +34,10 @@ private:
     int number_;
 };
 
-std::string systemReason(int error)
+[[noreturn]] void failToRead(const fs::path& path, int error)
 {
-    return std::generic_category().message(error);
+    const auto [reason, advice] = readObstacle(path, error);
+    throw ReadFailure{false, reason, advice};
 }
 
 /// Follows symbolic links as far as the path exists, so that a path out of the case is refused
@@ -44,7 +46,7 @@ fs::path resolved(const fs::path& path)
 {
     std::error_code failure;
     auto result = fs::weakly_canonical(path, failure);
-    if (failure) throw ReadFailure{false, failure.message()};
+    if (failure) failToRead(path, failure.value());
     return result;
 }
 
@@ -53,14 +55,14 @@ bool isBeneath(const fs::path& path, const fs::path& root)
     return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
 }
 
-std::string readAll(int descriptor, std::uint64_t mostBytes)
+std::string readAll(const fs::path& path, int descriptor, std::uint64_t mostBytes)
 {
     std::string bytes;
     std::string block(1 << 16, '\0');
     for (;;) {
         const auto count = read(descriptor, block.data(), block.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw ReadFailure{false, systemReason(errno)};
+        if (count < 0) failToRead(path, errno);
         if (count == 0) return bytes;
         bytes.append(block, 0, static_cast<std::size_t>(count));
         if (bytes.size() > mostBytes)
@@ -79,13 +81,14 @@ FileContent readConfined(const fs::path& file, const fs::path& root, std::uint64
 
     const Descriptor descriptor(
         open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW | O_NOCTTY));
-    if (descriptor.number() < 0) throw ReadFailure{false, systemReason(errno)};
+    if (descriptor.number() < 0) failToRead(path, errno);
 
     struct stat status {};
-    if (fstat(descriptor.number(), &status) != 0) throw ReadFailure{false, systemReason(errno)};
+    if (fstat(descriptor.number(), &status) != 0) failToRead(path, errno);
+    if (S_ISDIR(status.st_mode)) throw ReadFailure{true, "it is a folder", "name a file"};
     if (!S_ISREG(status.st_mode)) throw ReadFailure{true, "it is not a regular file"};
-    return {readAll(descriptor.number(), mostBytes), path, path.lexically_relative(home).string(),
-            status.st_dev, status.st_ino};
+    return {readAll(path, descriptor.number(), mostBytes), path,
+            path.lexically_relative(home).string(), status.st_dev, status.st_ino};
 }
 
 void normaliseText(std::string& text)

@@ -13,6 +13,7 @@ namespace fpm {
 struct ReadFailure {
     bool isRefused;
     std::string reason;
+    std::string advice = "";
 };
 
 /// The bytes of a regular file, and its identity on this machine.

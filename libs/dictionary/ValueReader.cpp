@@ -1,11 +1,11 @@
 #include "dictionary/ValueReader.h"
 
 #include "base/Format.h"
+#include "base/Utf8.h"
 #include "dictionary/Limits.h"
 #include "dictionary/Number.h"
 #include "dictionary/Report.h"
 #include "dictionary/Suggestion.h"
-#include "dictionary/Utf8.h"
 
 #include <algorithm>
 #include <cmath>

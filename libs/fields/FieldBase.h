@@ -11,7 +11,8 @@ namespace fpm {
 
 class FieldSet;
 
-/// What the values of a field belong to. `table`: none of the others, a list of any length.
+/// What the values of a field belong to. `table`: none of the others, as long as the set-up says;
+/// `list`: of any length.
 enum class Location {
     global,
     node,
@@ -22,7 +23,8 @@ enum class Location {
     face,
     body,
     block,
-    table
+    table,
+    list
 };
 
 /// What a field is for. `constant`: from the set-up, no step writes it. `state`: a step reads what

@@ -34,14 +34,20 @@ void FieldSet::setImages(Role role, const Images& images)
     for (FieldBase* field : fields_) {
         if (field->info().role != role) continue;
         if (next == images.size() || images[next].first != field->info().name)
-            throw Error(ExitCode::internal,
-                        format("{} has no image of field {}", name_, field->info().name));
+            throw Error(ExitCode::checkpoint,
+                        format("{}: no values of field {}", name_, field->info().name));
         const std::vector<std::byte>& image = images[next++].second;
+        const bool grows =
+            field->info().location == Location::list && image.size() % field->valueBytes() == 0;
+        if (image.size() != field->bytes() && !grows)
+            throw Error(ExitCode::checkpoint,
+                        format("{}: {} bytes of field {}, which has {}", name_, image.size(),
+                               field->info().name, field->bytes()));
         if (image.size() != field->bytes()) field->resize(image.size() / field->valueBytes());
         field->setImage(image);
     }
     if (next != images.size())
-        throw Error(ExitCode::internal, format("{} has no field {}", name_, images[next].first));
+        throw Error(ExitCode::checkpoint, format("{} has no field {}", name_, images[next].first));
 }
 
 } // namespace fpm

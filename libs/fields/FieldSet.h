@@ -29,8 +29,8 @@ public:
     const std::vector<FieldBase*>& fields() const { return fields_; }
     std::size_t bytes() const;
 
-    /// Values of all fields of a role, with their names; setImages() wants the same ones, and
-    /// gives each field the size of its image.
+    /// Values of all fields of a role, with their names; setImages() wants the same ones, in the
+    /// sizes the fields have now but for lists. Throws Error(checkpoint) for others.
     using Images = std::vector<std::pair<std::string, std::vector<std::byte>>>;
     Images images(Role role) const;
     void setImages(Role role, const Images& images);

@@ -2,7 +2,6 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "io/FrameLabel.h"
 #include "io/Hdf5File.h"
 
@@ -103,7 +102,7 @@ bool meshHasIds(const fs::path& caseRoot)
     return text && parseFrameLabel(*text).ids;
 }
 
-void writeSeries(const fs::path& caseRoot,
+void writeSeries(const OutputFolder& theCase,
                  const std::string& runId,
                  const std::vector<std::string>& folders)
 {
@@ -116,9 +115,9 @@ void writeSeries(const fs::path& caseRoot,
     const std::string run = runId.empty() ? "" : "  \"runId\": \"" + runId + "\",\n";
     const std::string text =
         "{\n  \"file-series-version\": \"1.0\",\n" + run + "  \"files\": [" + files + "\n  ]\n}\n";
-    writeFileAtomically(caseRoot / "case.vtkhdf.series", text);
+    theCase.write("case.vtkhdf.series", text);
     // ParaView before 5.12 knows the reader by this ending only.
-    writeFileAtomically(caseRoot / "case.hdf.series", text);
+    theCase.write("case.hdf.series", text);
 }
 
 std::string timeName(double time)

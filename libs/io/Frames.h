@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/OutputFolder.h"
+
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -34,7 +36,7 @@ bool meshHasIds(const std::filesystem::path& caseRoot);
 
 /// Writes case.vtkhdf.series and, for ParaView before 5.12, case.hdf.series: JSON with the run and
 /// the time folders given.
-void writeSeries(const std::filesystem::path& caseRoot,
+void writeSeries(const OutputFolder& theCase,
                  const std::string& runId,
                  const std::vector<std::string>& folders);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/OutputFolder.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,8 +12,8 @@
 
 namespace fpm {
 
-/// An HDF5 file built in memory (core driver, no backing store) and put on disk in one piece by
-/// writeFileAtomically: complete or absent, with a checksum over all of it behind HDF5's own end.
+/// An HDF5 file built in memory (core driver, no backing store) and put on disk in one piece:
+/// complete or absent, with a checksum over all of it behind HDF5's own end.
 /// Groups of a path are created on the way. Equal content gives equal bytes.
 class Hdf5Image
 {
@@ -39,7 +41,8 @@ public:
     void link(const std::string& path, const std::string& file, const std::string& target);
 
     /// `label`: up to 255 bytes that can be read without opening the file.
-    void save(const std::filesystem::path& file, const std::string& label = "") const;
+    void
+    save(const OutputFolder& output, const std::string& file, const std::string& label = "") const;
 
 private:
     struct Content;
@@ -68,6 +71,7 @@ public:
     std::size_t columns(const std::string& path) const;                ///< 1 for a plain vector
     std::vector<double> doubles(const std::string& path) const;        ///< float32 is widened
     std::vector<std::int64_t> integers(const std::string& path) const;
+    std::vector<std::byte> bytes(const std::string& path) const; ///< of an array of them
     std::string text(const std::string& group, const std::string& attribute) const;
     std::vector<std::int64_t> integers(const std::string& group,
                                        const std::string& attribute) const;

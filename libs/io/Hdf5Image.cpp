@@ -1,5 +1,4 @@
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "io/Checksum.h"
 #include "io/Hdf5File.h"
 #include "io/Hdf5Handle.h"
@@ -114,7 +113,9 @@ Hdf5Image::Hdf5Image() : content_(std::make_unique<Content>())
     written(H5Pset_obj_track_times(content_->datasets, false), "/");
     content_->links = Properties(written(H5Pcreate(H5P_LINK_CREATE), "/"));
     written(H5Pset_create_intermediate_group(content_->links, 1), "/");
-    content_->file = File(written(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access), "/"));
+    // HDF5 looks first whether there is a file of this name, and reads it all: there can be none.
+    content_->file =
+        File(written(H5Fcreate("/dev/null/image", H5F_ACC_TRUNC, H5P_DEFAULT, access), "/"));
 }
 
 Hdf5Image::~Hdf5Image() = default;
@@ -189,18 +190,20 @@ void Hdf5Image::link(const std::string& path, const std::string& file, const std
             path);
 }
 
-void Hdf5Image::save(const std::filesystem::path& file, const std::string& label) const
+void Hdf5Image::save(const OutputFolder& output,
+                     const std::string& file,
+                     const std::string& label) const
 {
-    written(H5Fflush(content_->file, H5F_SCOPE_LOCAL), file.string());
-    const auto size = written(H5Fget_file_image(content_->file, nullptr, 0), file.string());
+    written(H5Fflush(content_->file, H5F_SCOPE_LOCAL), file);
+    const auto size = written(H5Fget_file_image(content_->file, nullptr, 0), file);
     std::vector<std::byte> bytes(std::size_t(size) + label.size() + sizeof(Seal));
     const auto image = std::span(bytes).first(std::size_t(size));
-    written(H5Fget_file_image(content_->file, image.data(), image.size()), file.string());
+    written(H5Fget_file_image(content_->file, image.data(), image.size()), file);
     std::ranges::copy(std::as_bytes(std::span(label)), bytes.begin() + size);
     Checksum checksum;
     checksum.add(std::span(bytes).first(image.size() + label.size()));
     std::ranges::copy(makeSeal(checksum.value(), label.size()), bytes.end() - sizeof(Seal));
-    writeFileAtomically(file, bytes);
+    output.write(file, bytes);
 }
 
 } // namespace fpm

@@ -166,6 +166,15 @@ std::vector<std::int64_t> Hdf5Reader::integers(const std::string& path) const
     return readNumbers<std::int64_t>(*content_, path);
 }
 
+std::vector<std::byte> Hdf5Reader::bytes(const std::string& path) const
+{
+    const ArrayPlace& place = content_->array(path);
+    if (place.bytesEach != 1) content_->refuse(path + " holds no bytes");
+    std::vector<std::byte> values(std::size_t(place.rows * place.columns));
+    if (!content_->file.read(place.offset, values)) content_->refuse(path + ": read error");
+    return values;
+}
+
 std::string Hdf5Reader::text(const std::string& group, const std::string& attribute) const
 {
     const auto* value = std::get_if<std::string>(&content_->attribute(group, attribute));

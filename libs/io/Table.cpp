@@ -2,11 +2,13 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "io/AtomicFile.h"
+#include "base/ReadObstacle.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -143,28 +145,6 @@ private:
     Table table_;
 };
 
-std::string
-header(const std::vector<std::string>& columns, const std::vector<std::string>& notes, bool csv)
-{
-    std::string text;
-    for (const auto& note : notes) text += "# " + note + "\n";
-    text += csv ? "" : "# ";
-    for (std::size_t column = 0; column < columns.size(); ++column)
-        text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
-    return text + "\n";
-}
-
-template <class Values>
-std::string rowText(const Values& values, char separator)
-{
-    std::string text;
-    for (const double value : values) {
-        if (!text.empty()) text += separator;
-        text += toText(value);
-    }
-    return text + "\n";
-}
-
 } // namespace
 
 std::size_t Table::column(const std::string& name) const
@@ -188,8 +168,16 @@ std::vector<double> Table::values(const std::string& name) const
 
 Table readTable(const std::filesystem::path& file)
 {
+    std::error_code failure;
+    const auto kind = std::filesystem::status(file, failure).type();
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!std::filesystem::is_regular_file(file) || !stream)
+    if (kind == std::filesystem::file_type::directory || errno == EACCES) {
+        const auto [reason, advice] = readObstacle(file, errno);
+        throw Error(ExitCode::fileIo, format("cannot read '{}': {}", file.string(), reason),
+                    advice);
+    }
+    if (kind != std::filesystem::file_type::regular || !stream)
         throw Error(ExitCode::fileIo, "cannot open the table '" + file.string() + "'",
                     "paths are taken from the case folder; was the run that writes it started?");
     const std::string text((std::istreambuf_iterator<char>(stream)), {});
@@ -202,52 +190,35 @@ Table readTable(const std::filesystem::path& file)
     return reader.finish();
 }
 
-void writeTable(const std::filesystem::path& file, const Table& table)
+void writeTable(const OutputFolder& output, const std::string& file, const Table& table)
+{
+    std::string text = tableHead(file, table.columns, table.notes);
+    for (const auto& row : table.rows) text += tableRow(file, row);
+    output.write(file, text);
+}
+
+std::string tableHead(const std::filesystem::path& file,
+                      const std::vector<std::string>& columns,
+                      const std::vector<std::string>& notes)
 {
     const bool csv = isCsv(file);
-    std::string text = header(table.columns, table.notes, csv);
-    for (const auto& row : table.rows) text += rowText(row, csv ? ',' : ' ');
-    writeFileAtomically(file, text);
+    std::string text;
+    for (const auto& note : notes) text += "# " + note + "\n";
+    text += csv ? "" : "# ";
+    for (std::size_t column = 0; column < columns.size(); ++column)
+        text += (column == 0 ? "" : csv ? "," : " ") + columns[column];
+    return text + "\n";
 }
 
-HistoryFile::HistoryFile(const std::filesystem::path& file,
-                         const std::vector<std::string>& columns,
-                         const std::vector<std::string>& notes)
-    : file_(file),
-      columnCount_(columns.size())
+std::string tableRow(const std::filesystem::path& file, std::span<const double> values)
 {
-    std::error_code error;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-    stream_.open(file, std::ios::binary | std::ios::trunc);
-    write(header(columns, notes, isCsv(file)));
-}
-
-void HistoryFile::append(std::initializer_list<double> values)
-{
-    requireCount(values.size());
-    write(rowText(values, isCsv(file_) ? ',' : ' '));
-}
-
-void HistoryFile::append(const std::vector<double>& values)
-{
-    requireCount(values.size());
-    write(rowText(values, isCsv(file_) ? ',' : ' '));
-}
-
-void HistoryFile::requireCount(std::size_t count) const
-{
-    if (count != columnCount_)
-        throw Error(ExitCode::internal,
-                    format("{}: {} values for {} columns", file_.string(), count, columnCount_));
-}
-
-void HistoryFile::write(const std::string& text)
-{
-    stream_.write(text.data(), std::streamsize(text.size()));
-    stream_.flush();
-    if (!stream_)
-        throw Error(ExitCode::fileIo, "cannot write the history '" + file_.string() + "'",
-                    "check free space, quota and permissions");
+    const char separator = isCsv(file) ? ',' : ' ';
+    std::string text;
+    for (const double value : values) {
+        if (!text.empty()) text += separator;
+        text += toText(value);
+    }
+    return text + "\n";
 }
 
 } // namespace fpm

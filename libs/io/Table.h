@@ -1,7 +1,9 @@
 #pragma once
 
+#include "io/OutputFolder.h"
+
 #include <filesystem>
-#include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,28 +25,14 @@ struct Table {
 /// them, with or without '#'; other '#' lines are comments; an empty .csv cell is NaN. A last line
 /// cut short (.dat: one without line end) is ignored. Throws Error(fileIo) with file and line.
 Table readTable(const std::filesystem::path& file);
-/// Whole table at once, complete or absent.
-void writeTable(const std::filesystem::path& file, const Table& table);
+/// Whole table at once, complete or absent; `file` is relative to `output`.
+void writeTable(const OutputFolder& output, const std::string& file, const Table& table);
 
-/// A history that grows by one line a sample: notes, "# time ux uy uz", then shortest round-trip
-/// numbers.
-/// Each line is flushed, so that it can be plotted while the run goes on. Throws Error(fileIo).
-class HistoryFile
-{
-public:
-    HistoryFile(const std::filesystem::path& file,
-                const std::vector<std::string>& columns,
-                const std::vector<std::string>& notes = {});
-    void append(std::initializer_list<double> values);
-    void append(const std::vector<double>& values);
-
-private:
-    void requireCount(std::size_t count) const;
-    void write(const std::string& text);
-
-    std::ofstream stream_;
-    std::filesystem::path file_;
-    std::size_t columnCount_;
-};
+/// The lines above the rows of a table file: notes and names of the columns.
+std::string tableHead(const std::filesystem::path& file,
+                      const std::vector<std::string>& columns,
+                      const std::vector<std::string>& notes);
+/// A row of one, with its line end.
+std::string tableRow(const std::filesystem::path& file, std::span<const double> values);
 
 } // namespace fpm

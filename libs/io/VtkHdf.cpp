@@ -132,7 +132,7 @@ void writeGrid(Hdf5Image& image,
     writeIds(image, elementIds, hexahedra.size());
 }
 
-void writeFrame(const std::filesystem::path& caseRoot,
+void writeFrame(const OutputFolder& theCase,
                 const std::string& timeName,
                 const Frame& frame,
                 std::size_t nodeCount,
@@ -145,7 +145,7 @@ void writeFrame(const std::filesystem::path& caseRoot,
         image.link("/VTKHDF/" + name, meshFile, "/VTKHDF/" + name);
     writeFields(image, "/VTKHDF/PointData", frame.nodeFields, nodeCount);
     writeFields(image, "/VTKHDF/CellData", frame.elementFields, elementCount);
-    if (meshHasIds(caseRoot))
+    if (meshHasIds(theCase.path()))
         for (const std::string& path : {nodeIds, elementIds}) image.link(path, meshFile, path);
     image.write("/VTKHDF/FieldData/TimeValue", std::array<double, 1>{frame.time});
     image.attribute("/fpm", "TimeValue", frame.time);
@@ -155,10 +155,10 @@ void writeFrame(const std::filesystem::path& caseRoot,
     const std::string file = timeName + "/fields.vtkhdf";
     const FrameLabel label{
         RunMark{frame.runId, file},
-        frame.meshChecksum.empty() ? meshChecksumOf(caseRoot) : frame.meshChecksum, false};
+        frame.meshChecksum.empty() ? meshChecksumOf(theCase.path()) : frame.meshChecksum, false};
     image.attribute("/fpm", "meshChecksum", label.mesh);
     image.attribute("/fpm", "runId", frame.runId);
-    image.save(caseRoot / file, label.text());
+    image.save(theCase, file, label.text());
 }
 
 Frame readFrame(const std::filesystem::path& file, const FrameMesh& mesh)

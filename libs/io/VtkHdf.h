@@ -32,9 +32,9 @@ void writeGrid(Hdf5Image& image,
                std::span<const Point> points,
                std::span<const std::array<Index, 8>> hexahedra);
 
-/// <case>/<time>/fields.vtkhdf, linked to ../constant/mesh.vtkhdf; `timeName` is the folder. The
+/// <time>/fields.vtkhdf in a case, linked to ../constant/mesh.vtkhdf; `timeName` is the folder. The
 /// numbers of nodes and elements are links too, where the mesh file has them.
-void writeFrame(const std::filesystem::path& caseRoot,
+void writeFrame(const OutputFolder& theCase,
                 const std::string& timeName,
                 const Frame& frame,
                 std::size_t nodeCount,

@@ -84,7 +84,7 @@ FrameMesh frameMesh(const Mesh& mesh)
     return {meshChecksum(mesh), mesh.points.size(), mesh.hexahedra.size()};
 }
 
-void writeMesh(const std::filesystem::path& file, const Mesh& mesh)
+void writeMesh(const OutputFolder& theCase, const Mesh& mesh)
 {
     Hdf5Image image;
     writeGrid(image, mesh.points, mesh.hexahedra);
@@ -103,7 +103,7 @@ void writeMesh(const std::filesystem::path& file, const Mesh& mesh)
     for (const auto& [name, sides] : mesh.sideSets)
         image.write("/fpm/sideSets/" + name, flat(sides), 2);
     writeContact(image, mesh);
-    image.save(file, label.text());
+    image.save(theCase, meshFile, label.text());
 }
 
 } // namespace fpm

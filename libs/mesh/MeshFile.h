@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/OutputFolder.h"
 #include "io/VtkHdf.h"
 #include "mesh/Mesh.h"
 
@@ -7,10 +8,13 @@
 
 namespace fpm {
 
+/// Where the mesh of a case lies.
+inline constexpr const char* meshFile = "constant/mesh.vtkhdf";
+
 /// constant/mesh.vtkhdf: a grid ParaView opens (cell data "Part", "Patch", "ElementId", point data
 /// "NodeId"), and under /fpm parts, patches, sets, contact surfaces and a checksum over all of it.
 /// Complete or absent.
-void writeMesh(const std::filesystem::path& file, const Mesh& mesh);
+void writeMesh(const OutputFolder& theCase, const Mesh& mesh);
 /// Throws Error(mesh): not there (advice: run fpmMesh), damaged, wrong version, lying counts.
 Mesh readMesh(const std::filesystem::path& file);
 /// Checksum of coordinates, connectivity, parts and sets (not of the contact surfaces).

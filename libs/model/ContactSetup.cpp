@@ -219,12 +219,11 @@ bool contactIsOutdated(const Mesh& mesh, const Case& theCase)
 
 void updateContact(const Case& theCase, Log& log)
 {
-    const auto file = theCase.path("constant/mesh.vtkhdf");
-    Mesh mesh = readMesh(file);
+    Mesh mesh = readMesh(theCase.path(meshFile));
     if (!contactIsOutdated(mesh, theCase)) return;
     log.line("contact surfaces are missing or out of date: doing the work of fpmSetContact first");
     setContact(mesh, theCase.dictionary("system/contactDict"), theCase, log);
-    writeMesh(file, mesh);
+    writeMesh(theCase.output(), mesh);
 }
 
 } // namespace fpm

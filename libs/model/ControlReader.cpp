@@ -1,6 +1,7 @@
 #include "model/ControlReader.h"
 
 #include "base/Format.h"
+#include "dictionary/Number.h"
 #include "dictionary/Suggestion.h"
 #include "model/Names.h"
 
@@ -11,18 +12,22 @@ namespace fpm {
 
 namespace {
 
-/// Times run from 0 to endTime; the words that say so are checked, not obeyed.
-void readStart(const Dictionary& dictionary)
+/// From the beginning, from the latest checkpoint, or from that of a time, as startTime or in place
+/// of the word.
+void readStart(const Dictionary& dictionary, Control& control)
 {
     dictionary.wordOr("application", "fpmExplicit");
-    if (dictionary.wordOr("startFrom", "startTime") != "startTime")
-        dictionary.fail("startFrom", "every run starts at time 0", "write: startFrom startTime;");
-    if (dictionary.numberOr("startTime", 0.0) != 0)
-        dictionary.fail("startTime", "every run starts at time 0", "write: startTime 0;");
-    dictionary.choiceOr("stopAt", "endTime", {"endTime"});
-    dictionary.choiceOr("writeControl", "runTime", {"runTime"});
-    if (dictionary.integerOr("purgeWrite", 0, 0, 1000000) != 0)
-        dictionary.fail("purgeWrite", "every frame is kept", "write: purgeWrite 0;");
+    control.startTime = dictionary.numberOr("startTime", 0.0, nonNegative());
+    const std::vector<std::string> from =
+        dictionary.has("startFrom") && !dictionary.isDictionary("startFrom")
+            ? dictionary.items("startFrom")
+            : std::vector<std::string>{};
+    if (from.size() == 1 && readNumber(from.front())) {
+        control.startTime = dictionary.number("startFrom", nonNegative());
+        return;
+    }
+    control.latest =
+        dictionary.choiceOr("startFrom", "startTime", {"startTime", "latestTime"}) == "latestTime";
 }
 
 /// OpenFOAM's keys about the time step: whoever writes them expects something of them.
@@ -48,15 +53,14 @@ void refuseOtherTimeSteps(const Dictionary& dictionary)
 void readWithoutEffect(const Dictionary& dictionary, Log& log)
 {
     std::vector<std::string> given;
-    for (const char* key : {"writeFormat", "writePrecision", "writeCompression", "timeFormat",
-                            "timePrecision", "runTimeModifiable"})
+    for (const char* key :
+         {"writeFormat", "writePrecision", "writeCompression", "timeFormat", "timePrecision"})
         if (dictionary.has(key)) given.push_back(key);
     dictionary.choiceOr("writeFormat", "binary", {"ascii", "binary"});
     dictionary.integerOr("writePrecision", 16, 1, 64);
     dictionary.switchOr("writeCompression", false);
     dictionary.choiceOr("timeFormat", "general", {"general", "fixed", "scientific"});
     dictionary.integerOr("timePrecision", 8, 1, 64);
-    dictionary.switchOr("runTimeModifiable", false);
     if (!given.empty())
         log.line(format("{}: accepted without effect: {} (results are HDF5)", dictionary.name(),
                         listed(given)));
@@ -118,7 +122,8 @@ void readMachine(const Dictionary& dictionary, Control& control)
 void refuseTinyIntervals(const Dictionary& dictionary, const Control& control)
 {
     constexpr double mostFrames = 1e7, mostRows = 1e9;
-    const double frames = control.endTime / control.writeInterval;
+    const bool byTime = control.writeControl == WriteControl::runTime;
+    const double frames = byTime ? control.endTime / control.writeInterval : 0;
     if (frames > mostFrames)
         dictionary.fail("writeInterval",
                         format("{} frames would be written until endTime, each a folder; at most "
@@ -133,19 +138,61 @@ void refuseTinyIntervals(const Dictionary& dictionary, const Control& control)
                         "write: historyInterval 0; for one row at every step");
 }
 
+void readWriting(const Dictionary& dictionary, Control& control)
+{
+    const std::string word = dictionary.choiceOr(
+        "writeControl", "runTime", {"runTime", "adjustableRunTime", "timeStep", "clockTime"});
+    control.writeControl = word == "timeStep"    ? WriteControl::timeStep
+                           : word == "clockTime" ? WriteControl::clockTime
+                                                 : WriteControl::runTime;
+    if (control.writeControl == WriteControl::timeStep)
+        control.writeInterval =
+            double(dictionary.integer("writeInterval", 1, std::int64_t(1) << 52));
+    else if (control.writeControl == WriteControl::clockTime)
+        control.writeInterval = dictionary.number("writeInterval", positive());
+    else
+        control.writeInterval =
+            dictionary.numberOr("writeInterval", control.endTime / 10, positive());
+    control.purgeWrite = int(dictionary.integerOr("purgeWrite", 0, 0, 1000000));
+}
+
+CheckpointControl readCheckpoint(const Dictionary& dictionary)
+{
+    CheckpointControl out;
+    out.wallInterval = dictionary.numberOr("wallInterval", out.wallInterval, nonNegative());
+    out.steps = dictionary.integerOr("steps", out.steps, 0, std::int64_t(1) << 52);
+    out.keep = int(dictionary.integerOr("keep", out.keep, 0, 100));
+    return out;
+}
+
+/// What may change while a run goes on, and is read again then.
+void readModifiable(const Dictionary& dictionary, Control& control)
+{
+    control.endTime = dictionary.number("endTime", positive());
+    const std::string stop = dictionary.choiceOr(
+        "stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"});
+    control.stopAt = stop == "writeNow"     ? StopAt::writeNow
+                     : stop == "noWriteNow" ? StopAt::noWriteNow
+                     : stop == "nextWrite"  ? StopAt::nextWrite
+                                            : StopAt::endTime;
+    control.maxWallTime = dictionary.numberOr("maxWallTime", 0.0, nonNegative());
+    readWriting(dictionary, control);
+    control.historyInterval =
+        dictionary.numberOr("historyInterval", control.endTime / 1000, nonNegative());
+    control.checkpoint = readCheckpoint(dictionary.subOrEmpty("checkpoint"));
+    refuseTinyIntervals(dictionary, control);
+}
+
 } // namespace
 
 Control readControl(const Dictionary& dictionary, Log& log)
 {
     Control control;
     refuseOtherTimeSteps(dictionary);
-    readStart(dictionary);
+    readStart(dictionary, control);
     readWithoutEffect(dictionary, log);
-    control.endTime = dictionary.number("endTime", positive());
-    control.writeInterval = dictionary.numberOr("writeInterval", control.endTime / 10, positive());
-    control.historyInterval =
-        dictionary.numberOr("historyInterval", control.endTime / 1000, nonNegative());
-    refuseTinyIntervals(dictionary, control);
+    control.runTimeModifiable = dictionary.switchOr("runTimeModifiable", false);
+    readModifiable(dictionary, control);
     readTimeStep(dictionary.subOrEmpty("timeStep"), control);
     control.massDamping = dictionary.numberOr("massDamping", 0.0, nonNegative());
     readQuasiStatic(dictionary, control);
@@ -158,6 +205,13 @@ Control readControl(const Dictionary& dictionary, Log& log)
         dictionary.choiceOr("strainGeometry", "midStep", {"midStep", "start"}) == "midStep";
     control.previousRun = dictionary.choiceOr("previousRun", "keep", {"keep", "remove", "refuse"});
     return control;
+}
+
+void rereadControl(const Dictionary& dictionary, Control& control)
+{
+    Control changed = control;
+    readModifiable(dictionary, changed);
+    control = std::move(changed);
 }
 
 void readMassScaling(const Dictionary& dictionary, std::vector<Part>& parts)

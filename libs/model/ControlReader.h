@@ -10,6 +10,10 @@ namespace fpm {
 /// named in the log; values that would mean something else are refused.
 Control readControl(const Dictionary& dictionary, Log& log);
 
+/// Takes over what may change while a run goes on: endTime, stopAt, maxWallTime, the intervals of
+/// frames, rows and checkpoints. All of it or, where one is wrong (InputError), nothing.
+void rereadControl(const Dictionary& dictionary, Control& control);
+
 /// system/controlDict, massScaling: into the parts it is for.
 void readMassScaling(const Dictionary& dictionary, std::vector<Part>& parts);
 

@@ -139,10 +139,33 @@ struct History {
     std::vector<std::string> fields{"displacement"}; ///< point: displacement velocity acceleration
 };
 
+/// Frames at multiples of simulated time, which end a step each; every so many steps; or every so
+/// many seconds of the clock on the wall.
+enum class WriteControl { runTime, timeStep, clockTime };
+/// Where a run ends: at endTime; now, with or without a frame; at the next frame.
+enum class StopAt { endTime, writeNow, noWriteNow, nextWrite };
+
+/// When checkpoints are written beside that at the end.
+struct CheckpointControl {
+    double wallInterval = 600; ///< seconds between them; 0: none by the clock
+    std::int64_t steps = 0;    ///< > 0: at every multiple of so many steps
+    int keep = 2;              ///< files; 0: no checkpoints
+    bool operator==(const CheckpointControl&) const = default;
+};
+
 /// system/controlDict.
 struct Control {
+    bool latest = false;  ///< start from the latest checkpoint, where there is one
+    double startTime = 0; ///< > 0: from the checkpoint of this time
+    StopAt stopAt = StopAt::endTime;
     double endTime = 0;
-    double writeInterval = 0;       ///< time between frames
+    double maxWallTime = 0; ///< > 0: seconds of the program after which it stores its state and
+                            ///< ends
+    WriteControl writeControl = WriteControl::runTime;
+    double writeInterval = 0;       ///< between frames: time, steps or seconds
+    int purgeWrite = 0;             ///< > 0: so many frames are kept, the latest
+    bool runTimeModifiable = false; ///< controlDict is read again when it changes
+    CheckpointControl checkpoint;
     double historyInterval = 0;     ///< time between history rows; 0 = every step
     double timeStepSafety = 0.9;    ///< of the stability bound
     double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound

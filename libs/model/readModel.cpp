@@ -153,7 +153,7 @@ Model readModel(const Case& theCase, const Dictionary& control, Log& log)
         readCaseProperties(theCase.dictionary("constant/caseProperties"));
     model.title = properties.title;
     model.units = properties.units;
-    model.mesh = readMesh(theCase.path("constant/mesh.vtkhdf"));
+    model.mesh = readMesh(theCase.path(meshFile));
     model.parts = readParts(theCase.dictionary("constant/partProperties"), model.mesh);
     checkUnits(model.parts, model.units, log);
 

@@ -3,7 +3,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "case/RunResults.h"
-#include "io/AtomicFile.h"
 #include "io/RunMark.h"
 #include "io/VtkHdf.h"
 #include "mesh/MeshFile.h"
@@ -75,7 +74,7 @@ private:
 
 const Mesh& ProbeRun::mesh()
 {
-    if (!mesh_) mesh_ = readMesh(case_.path("constant/mesh.vtkhdf"));
+    if (!mesh_) mesh_ = readMesh(case_.path(meshFile));
     return *mesh_;
 }
 
@@ -123,14 +122,14 @@ void ProbeRun::write(const std::string& relative, std::string svg)
 {
     if (const std::string note = mark(relative); !note.empty())
         svg = withNote(std::move(svg), note);
-    writeFileAtomically(case_.path(relative), std::string_view(svg));
+    case_.output().write(relative, svg);
     report(relative);
 }
 
 void ProbeRun::write(const std::string& relative, std::vector<std::uint8_t> png)
 {
     if (const std::string note = mark(relative); !note.empty()) addComment(png, note);
-    writeFileAtomically(case_.path(relative), std::as_bytes(std::span(png)));
+    case_.output().write(relative, std::as_bytes(std::span(png)));
     report(relative);
 }
 
@@ -157,7 +156,7 @@ void ProbeRun::makeTables()
             "postProcessing/" + spec.name + "/" + time.first + "/" + spec.field.field + ".dat";
         Table content = table.table();
         if (const std::string note = mark(relative); !note.empty()) content.notes = {note};
-        writeTable(case_.path(relative), content);
+        writeTable(case_.output(), relative, content);
         report(relative);
     }
 }

@@ -66,6 +66,22 @@ void ContactHealth::sample(const Sample& row)
     }
 }
 
+void ContactHealth::keep(Archive& archive)
+{
+    for (OfPair& pair : pairs_) {
+        archive(pair.size); // of the surface at the start, which may erode
+        archive(pair.forgiven);
+        pair.depth.keep(archive);
+        // Of the status at that depth no more than this is reported.
+        archive(pair.deepest.deepest);
+        archive(pair.deepest.thickness);
+        if (pair.deepest.deepest < -1 || pair.deepest.deepest >= Index(model_.mesh.points.size()))
+            throw Error(ExitCode::checkpoint, "the record of the run names no node of the mesh");
+        pair.sliding.keep(archive);
+        archive(pair.since);
+    }
+}
+
 void ContactHealth::addRows(HealthRows& rows) const
 {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {

@@ -17,6 +17,7 @@ public:
     void addRows(HealthRows& rows) const;
     /// What the passes count: asks the solver.
     void addCounts(Solver& solver, HealthRows& rows) const;
+    void keep(Archive& archive);
 
 private:
     struct OfPair {

@@ -150,6 +150,25 @@ void EdgeWatch::check(Solver& solver, Log& log)
     }
 }
 
+void EdgeWatch::keep(Archive& archive)
+{
+    archive(next_);
+    for (Group& group : groups_) {
+        std::vector<std::pair<std::pair<std::size_t, std::size_t>, EdgeFinding>> all(
+            group.found.begin(), group.found.end());
+        archive.list(all, [](Archive& each, auto& one) {
+            each(one.first.first);
+            each(one.first.second);
+            each(one.second.pair);
+            each(one.second.crossings.count);
+            each(one.second.crossings.depth);
+            each(one.second.crossings.place);
+            each(one.second.time);
+        });
+        if (archive.reads()) group.found = {all.begin(), all.end()};
+    }
+}
+
 std::vector<EdgeFinding> EdgeWatch::findings() const
 {
     std::vector<EdgeFinding> all;

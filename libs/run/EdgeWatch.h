@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Archive.h"
 #include "base/Log.h"
 #include "model/EdgeCrossing.h"
 #include "solver/Solver.h"
@@ -31,6 +32,7 @@ public:
     void checkIfDue(Solver& solver, Log& log);
     void check(Solver& solver, Log& log);
     std::vector<EdgeFinding> findings() const;
+    void keep(Archive& archive);
 
 private:
     /// Surfaces that may meet: the two of a pair, or the bodies of general contact.

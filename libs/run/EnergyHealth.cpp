@@ -30,6 +30,20 @@ void EnergyHealth::sample(const Energies& e, bool judged)
     }
 }
 
+void EnergyHealth::keep(Archive& archive)
+{
+    for (OfPart& part : parts_) {
+        part.internal.keep(archive);
+        part.hourglass.keep(archive);
+    }
+    balance_.keep(archive);
+    kineticShare_.keep(archive);
+    elastic_.keep(archive);
+    archive(contact_);
+    archive(internal_);
+    archive(scale_);
+}
+
 bool EnergyHealth::counts(double energy) const
 {
     return energy > HealthLimits::counts * scale_;

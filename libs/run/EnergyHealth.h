@@ -13,6 +13,7 @@ public:
     /// `judged`: enough steps were made for a balance to mean something.
     void sample(const Energies& energies, bool judged);
     void addRows(HealthRows& rows) const;
+    void keep(Archive& archive);
 
 private:
     struct OfPart {

@@ -18,6 +18,12 @@ void Health::sample(const StepClock& clock, const Sample& row)
     contact_.sample(row);
 }
 
+void Health::keep(Archive& archive)
+{
+    energies_.keep(archive);
+    contact_.keep(archive);
+}
+
 HealthRows Health::sampledRows() const
 {
     HealthRows rows;

@@ -22,6 +22,9 @@ public:
     /// What is known without asking the solver, for `status` while it runs.
     HealthRows sampledRows() const;
 
+    /// All that the figures of later rows start from.
+    void keep(Archive& archive);
+
     static constexpr int judgedSteps = 10; ///< the balance is judged from this step on
 
 private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/Archive.h"
+
 #include <string>
 #include <vector>
 
@@ -25,6 +27,11 @@ struct Peak {
         if (!(candidate > value)) return;
         value = candidate;
         time = at;
+    }
+    void keep(Archive& archive)
+    {
+        archive(value);
+        archive(time);
     }
 };
 

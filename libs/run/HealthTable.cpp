@@ -2,7 +2,7 @@
 
 #include "base/Format.h"
 #include "dictionary/DictionaryText.h"
-#include "io/AtomicFile.h"
+#include "io/OutputFolder.h"
 #include "io/RunMark.h"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ void writeHealth(const std::filesystem::path& caseRoot,
         if (row.finding) text.string("advice", row.advice);
         text.closeItem();
     }
-    writeFileAtomically(caseRoot / file, text.closeList().text());
+    OutputFolder(caseRoot).write(file, text.closeList().text());
 }
 
 } // namespace fpm

@@ -143,13 +143,48 @@ std::vector<HistoryTable> tablesOf(const History& history, const Model& model)
     return tables;
 }
 
-Histories::Histories(const std::filesystem::path& caseRoot,
+void keep(Archive& archive, std::vector<HistoryMark>& marks)
+{
+    archive.list(marks, [](Archive& each, HistoryMark& mark) {
+        each(mark.file);
+        each(mark.bytes);
+    });
+}
+
+namespace {
+
+/// A file that goes on, or begins.
+std::unique_ptr<HistoryFile> opened(const OutputFolder& output,
+                                    const std::string& file,
+                                    const HistoryTable& table,
+                                    const std::vector<std::string>& notes,
+                                    const std::vector<HistoryMark>& stored,
+                                    Log& log)
+{
+    const auto mark = std::ranges::find(stored, file, &HistoryMark::file);
+    if (mark != stored.end()) {
+        try {
+            return std::make_unique<HistoryFile>(
+                HistoryFile::resume(output, file, table.columns, notes, mark->bytes));
+        } catch (const Error& error) {
+            if (error.code() != ExitCode::checkpoint) throw;
+            log.warning(format("{}: its rows begin anew here: {}", file, error.what()));
+        }
+    }
+    return std::make_unique<HistoryFile>(output, file, table.columns, notes);
+}
+
+} // namespace
+
+Histories::Histories(const OutputFolder& output,
                      const Model& model,
-                     const std::string& runId)
+                     const std::string& runId,
+                     const std::vector<HistoryMark>& stored,
+                     Log& log)
     : model_(model)
 {
     for (const History& history : model.control.histories) {
-        Channel channel{&history, {}, {}, {}, {}};
+        Channel channel{&history, {}, {}, {}, {}, {}};
         if (history.kind == History::Kind::reaction)
             channel.drive = driveOf(history, model, channel.driveRows);
         for (const HistoryTable& table : tablesOf(history, model)) {
@@ -158,11 +193,22 @@ Histories::Histories(const std::filesystem::path& caseRoot,
             if (!runId.empty()) notes.push_back(RunMark{runId, file}.text());
             notes.emplace_back("unit"); // one a column
             for (const std::string& unit : table.units) notes.back() += " " + unit;
-            channel.files.push_back(
-                std::make_unique<HistoryFile>(caseRoot / file, table.columns, notes));
+            channel.names.push_back(file);
+            channel.files.push_back(opened(output, file, table, notes, stored, log));
         }
         channels_.push_back(std::move(channel));
     }
+}
+
+std::vector<HistoryMark> Histories::marks()
+{
+    std::vector<HistoryMark> out;
+    for (Channel& channel : channels_)
+        for (std::size_t i = 0; i < channel.files.size(); ++i) {
+            channel.files[i]->synchronise();
+            out.push_back({channel.names[i], channel.files[i]->size()});
+        }
+    return out;
 }
 
 void Histories::sample(Solver& solver, const Sample& row)

@@ -3,7 +3,7 @@
 #include "base/Format.h"
 #include "base/Hash.h"
 #include "case/PerformanceRecord.h"
-#include "io/AtomicFile.h"
+#include "io/OutputFolder.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
@@ -134,7 +134,7 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
         const ContactPair& pair = model.contactPairs[number];
         const PairForce now = solver.contact().force(number);
         std::string line = format("pair {}: {} in contact, springs up to {}, held {}", pair.name,
-                                  now.active, largestStiffnessOf(solver, number), now.spring);
+                                  now.active, largestStiffnessOf(solver, number), now.springEnergy);
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
         if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
         log.line(line);
@@ -180,7 +180,7 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.deviceBytes = std::int64_t(solver.fields().bytes());
     record.wallSeconds = t.total;
     record.threads = t.threads;
-    const double steps = double(record.steps), elements = double(record.elements),
+    const double steps = double(t.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
     const bool known = t.element > 0;
     const auto over = [](double part, double whole, bool given) {
@@ -207,7 +207,7 @@ void reportPerformance(Solver& solver,
                        Log& log)
 {
     const StepTimes t = solver.times();
-    const std::int64_t steps = solver.clock().steps;
+    const std::int64_t steps = t.steps;
     const std::size_t elements = model.mesh.hexahedra.size();
     const double perStep = steps > 0 ? 1e9 * t.total / (double(steps) * double(elements)) : 0;
     log.line(format("{} elements, {} contactors, {} steps, {} s: {} ns per element-step ({})",
@@ -225,7 +225,7 @@ void reportPerformance(Solver& solver,
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
-    writeFileAtomically(caseRoot / performanceFile, record.text());
+    OutputFolder(caseRoot).write(performanceFile, record.text());
 }
 
 namespace {

@@ -97,6 +97,25 @@ std::string diskShortage(const RunForecast& f)
                   bytesText(f.freeBytes));
 }
 
+/// How often frames are written, and the steps they ask for.
+void addFrames(RunForecast& out, const Control& control, double duration, double most)
+{
+    out.steps = out.ownSteps;
+    if (control.writeControl == WriteControl::clockTime) {
+        out.frames = 2; // and as many as the run takes such intervals
+        return;
+    }
+    double stepsAFrame = control.writeInterval;
+    if (control.writeControl == WriteControl::runTime) {
+        const double intervals = std::ceil(duration / control.writeInterval * (1 - 1e-9));
+        stepsAFrame = std::max(1.0, std::ceil(control.writeInterval / out.step * (1 - 1e-9)));
+        out.steps = std::min(most, std::max(out.ownSteps, intervals * stepsAFrame));
+        out.frames = 1 + std::min(intervals, std::ceil(out.steps / stepsAFrame));
+    } else
+        out.frames = 1 + std::ceil(out.steps / stepsAFrame);
+    if (control.purgeWrite > 0) out.frames = std::min(out.frames, double(control.purgeWrite) + 1);
+}
+
 } // namespace
 
 double RunForecast::frameSeconds() const
@@ -117,19 +136,18 @@ RunForecast forecastRun(Solver& solver,
                         const Model& model,
                         const std::filesystem::path& caseRoot,
                         double step,
-                        std::int64_t maxSteps)
+                        std::int64_t maxSteps,
+                        double from)
 {
     const Control& control = model.control;
+    const double duration = control.endTime - from;
     RunForecast out;
     out.step = step;
     const double most = maxSteps >= 0 ? double(maxSteps) : 1e300;
-    const double intervals = std::ceil(control.endTime / control.writeInterval * (1 - 1e-9));
-    out.ownSteps = std::min(most, std::ceil(control.endTime / step * (1 - 1e-9)));
-    const double stepsAFrame = std::max(1.0, std::ceil(control.writeInterval / step * (1 - 1e-9)));
-    out.steps = std::min(most, std::max(out.ownSteps, intervals * stepsAFrame));
-    out.frames = 1 + std::min(intervals, std::ceil(out.steps / stepsAFrame));
+    out.ownSteps = std::min(most, std::ceil(duration / step * (1 - 1e-9)));
+    addFrames(out, control, duration, most);
     const double rows = control.historyInterval > 0
-                            ? std::min(out.steps, control.endTime / control.historyInterval)
+                            ? std::min(out.steps, duration / control.historyInterval)
                             : out.steps;
     out.historyBytes = rows * historyColumns(model) * bytesANumber;
     out.frameBytes = bytesOf(resultFrame(solver, model));
@@ -170,7 +188,10 @@ void reportStart(Solver& solver,
                  std::int64_t maxSteps,
                  Log& log)
 {
-    RunForecast forecast = forecastRun(solver, model, caseRoot, firstStep(solver, model), maxSteps);
+    const StepClock clock = solver.clock();
+    const double step =
+        clock.steps > 0 ? steadyStep(clock, model.control) : firstStep(solver, model);
+    RunForecast forecast = forecastRun(solver, model, caseRoot, step, maxSteps, clock.time);
     forecast.peakBytes = peakMemory(); // the first frame is part of it
     // One that comes to rest ends earlier.
     const std::string shortage = diskShortage(forecast);

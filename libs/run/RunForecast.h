@@ -22,12 +22,13 @@ struct RunForecast {
     double frameSeconds() const; ///< for all frames, written through to the disk
 };
 
-/// `step`: the time step to count with; `maxSteps` >= 0: the run ends by then.
+/// `step`: the time step to count with; `maxSteps` >= 0: the run ends by then. From time `from` on.
 RunForecast forecastRun(Solver& solver,
                         const Model& model,
                         const std::filesystem::path& caseRoot,
                         double step,
-                        std::int64_t maxSteps);
+                        std::int64_t maxSteps,
+                        double from = 0);
 
 /// Step of a started solver that has made none: of its elements alone, or as controlDict gives it.
 double firstStep(const Solver& solver, const Model& model);

@@ -56,4 +56,14 @@ void Sliding::close()
     window_ = {};
 }
 
+void Sliding::keep(Archive& archive)
+{
+    for (double* value : {&window_.path, &window_.duration, &window_.asked, &lastTime_, &asked_,
+                          &delivered_, &worst_, &worstTime_})
+        archive(*value);
+    archive(window_.slip);
+    archive(window_.impulse);
+    archive(windows_);
+}
+
 } // namespace fpm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Archive.h"
 #include "solver/Solver.h"
 
 namespace fpm {
@@ -16,6 +17,7 @@ public:
     double ratio() const { return asked_ > 0 ? delivered_ / asked_ : 1; }
     /// End of the window that delivered least of it.
     double worstTime() const { return worstTime_; }
+    void keep(Archive& archive);
 
 private:
     struct Window {

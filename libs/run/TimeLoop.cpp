@@ -2,23 +2,27 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/LaterResults.h"
 #include "case/RunRecord.h"
-#include "io/AtomicFile.h"
-#include "io/Frames.h"
+#include "io/FileError.h"
+#include "io/OutputFolder.h"
+#include "run/Checkpoints.h"
 #include "run/ContactWatch.h"
+#include "run/FrameWriter.h"
 #include "run/Health.h"
 #include "run/HealthTable.h"
 #include "run/Histories.h"
 #include "run/Inversion.h"
 #include "run/Performance.h"
 #include "run/RunForecast.h"
+#include "run/RunJudge.h"
 #include "run/RunReport.h"
+#include "run/Schedule.h"
 #include "run/SignalWatch.h"
-#include "run/resultFrame.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace fpm {
 
@@ -36,10 +40,20 @@ std::string clockText(double seconds)
     return two(s / 3600) + ":" + two(s / 60 % 60) + ":" + two(s % 60);
 }
 
-/// Where the state goes that stopped a run: no time folder, and so no frame of the series.
-const char* const failedFolder = "failed";
+/// The run's own counters, as a checkpoint that it goes on from stored them; empty without one.
+Archive storedRecord(const RunOptions& options)
+{
+    return options.from ? Archive(options.from->record) : Archive();
+}
 
-/// One run from start to end: what is due when, and what goes where.
+std::vector<HistoryMark> storedHistories(Archive& record)
+{
+    std::vector<HistoryMark> marks;
+    if (record.reads()) keep(record, marks);
+    return marks;
+}
+
+/// One run, or the part of it after a checkpoint: what is due when, and what goes where.
 class TimeLoop
 {
 public:
@@ -54,10 +68,17 @@ public:
           root_(caseRoot),
           options_(options),
           log_(log),
-          record_(root_, model.control.previousRun, log),
-          histories_(root_, model, record_.id()),
+          output_(root_, fullDiskPolicy()),
+          stored_(storedRecord(options)),
+          record_(options.from ? RunRecord(output_, options.from->runId, options.from->wallSeconds)
+                               : RunRecord(output_, model.control.previousRun, log)),
+          frames_(solver, model, output_, record_.id()),
           health_(model, solver),
-          edges_(model)
+          edges_(model),
+          judge_(control_),
+          schedule_(control_, options.maxSteps),
+          checkpoints_(output_),
+          watch_(options.control)
     {
     }
 
@@ -66,8 +87,8 @@ public:
         try {
             loop();
         } catch (const Error& error) {
-            end(error.code() == ExitCode::stopped ? RunState::stopped : RunState::failed);
-            throw;
+            endAfter(error);
+            throw withWayOn(error);
         }
         end(RunState::finished);
         if (options_.strict && findings(verdicts_) > 0)
@@ -77,186 +98,234 @@ public:
     }
 
 private:
+    FullDiskPolicy fullDiskPolicy()
+    {
+        return {options_.waitsForRoom, [this] { return !signals_.end().empty(); },
+                [this](const std::string& what) { log_.warning(what); }};
+    }
+
     void loop()
     {
-        const SignalWatch signals;
+        histories_.emplace(output_, model_, record_.id(), storedHistories(stored_), log_);
+        options_.from ? goOn() : begin();
+        reportStart(solver_, model_, root_, options_.maxSteps, log_);
+        std::string why;
+        while (why.empty() && !schedule_.atEnd(clock_)) {
+            advance();
+            check();
+            const bool frame = schedule_.frameIsDue(clock_);
+            if (schedule_.rowIsDue(clock_))
+                sample();
+            else if (frame) // none holds a state that is lost
+                failIf(judge_.judge(energies_ = solver_.ledger().energies(), clock_, log_));
+            if (frame) writeFrame();
+            if (watch_.follow(control_, log_)) schedule_.startAt(clock_, wall());
+            why = reasonToStop(frame);
+            answerRequests();
+            if (!why.empty() || schedule_.atEnd(clock_)
+                || schedule_.checkpointIsDue(clock_, wall()))
+                writeCheckpoint();
+            progress();
+        }
+        // Between rows, by maxSteps or a stop: these rows and frames are no part of what goes on
+        // from the checkpoint.
+        if (clock_.steps > lastRow_) sample();
+        if (!why.empty() && control_.stopAt != StopAt::noWriteNow)
+            frames_.write(control_.purgeWrite, log_);
+        finish();
+        if (!why.empty())
+            throw Error(ExitCode::stopped, format("{} at time {}", why, clock_.time),
+                        "'fpmExplicit -continue' goes on from here");
+    }
+
+    void begin()
+    {
+        clock_ = solver_.clock();
         reportMassScaling(solver_, log_);
         sample();
         reportOverlaps(solver_, model_, log_);
         writeFrame();
-        reportStart(solver_, model_, root_, options_.maxSteps, log_);
-        while (!done()) {
-            const double nextFrame = frameTime(frames_);
-            const double due = std::min(nextFrame, sampleTime(samples_));
-            advanceTo(due, nextFrame);
-            check();
-            const bool frameIsDue = clock_.time >= nextFrame || clock_.settled;
-            if (clock_.time >= sampleTime(samples_) - tiny() || done())
-                sample();
-            else if (frameIsDue)
-                judge(solver_.ledger().energies()); // no frame holds a state that is lost
-            if (frameIsDue) writeFrame();
-            progress();
-            if (signals.raised()) {
-                if (clock_.time > lastFrame_) writeFrame();
-                finish();
-                throw Error(ExitCode::stopped, format("stopped by signal at time {}", clock_.time),
-                            "frames and histories up to this time are complete; a new run starts "
-                            "at time 0");
-            }
-        }
-        finish();
+        schedule_.startAt(clock_, wall());
+        schedule_.checkpointIsDone(wall());
     }
 
-    bool done() const
+    void goOn()
     {
-        return clock_.settled || clock_.time >= control_.endTime
-               || (options_.maxSteps >= 0 && clock_.steps >= options_.maxSteps);
-    }
-    double tiny() const { return 1e-9 * control_.endTime; }
-    double frameTime(std::int64_t number) const
-    {
-        const double time = double(number) * control_.writeInterval;
-        return time > control_.endTime - 1e-6 * control_.writeInterval ? control_.endTime : time;
-    }
-    double sampleTime(std::int64_t number) const
-    {
-        return std::min(double(number) * control_.historyInterval, control_.endTime);
+        clock_ = solver_.clock();
+        keep(stored_);
+        frames_.resume();
+        schedule_.startAt(clock_, wall());
+        schedule_.checkpointIsDone(wall());
+        lastRow_ = clock_.steps;
+        log_.line(format("going on from the checkpoint at time {}, step {}", toText(clock_.time, 9),
+                         clock_.steps));
     }
 
-    /// Frames and the end are hit exactly; a history row is taken at the first step at or after its
-    /// time, so that it never shortens a step.
-    void advanceTo(double due, double stop)
+    /// What the run counts beside its solver.
+    void keep(Archive& archive)
     {
-        std::int64_t steps = stepsUntil(clock_, due);
-        if (options_.maxSteps >= 0) steps = std::min(steps, options_.maxSteps - clock_.steps);
-        solver_.advance(std::min(stop, control_.endTime), steps, [this](const StepClock& now) {
+        judge_.keep(archive);
+        health_.keep(archive);
+        edges_.keep(archive);
+        if (archive.reads() && !archive.atEnd())
+            throw Error(ExitCode::checkpoint, "the record of the run is longer than it should be");
+    }
+
+    /// To what is due next, at most for a second or so.
+    void advance()
+    {
+        constexpr double slice = 1;
+        const auto begin = std::chrono::steady_clock::now();
+        Pause pause;
+        pause.at = schedule_.pause();
+        pause.goesOn = [&](const StepClock& now) {
             clock_ = now;
             progress();
-        });
+            return secondsSince(begin) < slice && !signals_.asks();
+        };
+        solver_.advance(schedule_.stop(), schedule_.steps(clock_), pause);
         clock_ = solver_.clock();
+        longestSlice_ = std::max(longestSlice_, secondsSince(begin));
     }
 
     void sample()
     {
         const Sample row(solver_, model_);
-        histories_.sample(solver_, row);
+        histories_->sample(solver_, row);
         health_.sample(clock_, row);
-        while (control_.historyInterval > 0 && clock_.steps > 0
-               && sampleTime(samples_) <= clock_.time + tiny()
-               && sampleTime(samples_) < control_.endTime)
-            ++samples_;
-        judge(row.energies);
+        schedule_.rowIsDone(clock_);
+        lastRow_ = clock_.steps;
+        energies_ = row.energies;
+        failIf(judge_.judge(energies_, clock_, log_));
         edges_.checkIfDue(solver_, log_);
     }
 
-    void judge(const Energies& energies)
+    void writeFrame()
     {
-        energies_ = energies;
-        const double error = std::abs(energies.balance);
-        if (!std::isfinite(energies.total))
-            fail(format("the energy is not a number at time {}", clock_.time), noNumberAdvice);
-        // The first steps of a drive from rest: nothing to measure the error by yet.
-        if (clock_.steps < Health::judgedSteps) return;
-        if (error > control_.energyStop)
-            fail(format("energy balance error {} % at time {} is beyond energyBalance.stop {} %",
-                        toText(100 * energies.balance, 3), clock_.time, 100 * control_.energyStop));
-        if (error > control_.energyWarning && !balanceWarned_)
-            log_.warning(format("energy balance error {} % at time {} is beyond "
-                                "energyBalance.warning {} %",
-                                toText(100 * energies.balance, 3), clock_.time,
-                                100 * control_.energyWarning));
-        balanceWarned_ |= error > control_.energyWarning;
-        checkInertia();
+        frames_.write(control_.purgeWrite, log_);
+        edges_.check(solver_, log_);
+        schedule_.frameIsDone(clock_, wall());
     }
 
-    /// A slow run is quasi-static while its kinetic energy is small.
-    void checkInertia()
+    /// Why the run stops here, before its end; empty where it goes on.
+    std::string reasonToStop(bool atFrame)
     {
-        if (!(control_.kineticShare > 0) || clock_.time < control_.quasiStaticAfter) return;
-        const double share = energies_.kineticShare();
-        if (share > control_.kineticShare && largestShare_ <= control_.kineticShare)
-            log_.warning(
-                format("kinetic energy is {} % of that of the elements at time {}, more than "
-                       "quasiStatic.kineticShare: inertia has a part in the result; load more "
-                       "slowly or scale the mass less",
-                       toText(100 * share, 3), clock_.time));
-        largestShare_ = std::max(largestShare_, share);
+        if (const std::string signal = signals_.end(); !signal.empty())
+            return "stopped by " + signal;
+        if (control_.maxWallTime > 0
+            && wall() + 2 * checkpoints_.longest() + longestSlice_ >= control_.maxWallTime)
+            return format("stopped by maxWallTime {} s", control_.maxWallTime);
+        if (control_.stopAt == StopAt::writeNow || control_.stopAt == StopAt::noWriteNow
+            || (control_.stopAt == StopAt::nextWrite && atFrame))
+            return "stopped by stopAt";
+        return "";
+    }
+
+    /// Frames beside those that are due leave no trace in the run.
+    void answerRequests()
+    {
+        const bool byWall = schedule_.frameIsDueByWall(wall());
+        if (byWall || signals_.takeFrame()) {
+            requireSound();
+            frames_.write(control_.purgeWrite, log_);
+        }
+        if (byWall) schedule_.frameIsDone(clock_, wall());
+        if (signals_.takeCheckpoint()) writeCheckpoint();
+    }
+
+    void requireSound() { failIf(judge_.lost(solver_.ledger().peek(), clock_)); }
+
+    void writeCheckpoint()
+    {
+        if (control_.checkpoint.keep == 0 || checkpointStep_ == clock_.steps) return;
+        requireSound();
+        Checkpoint out;
+        out.runId = record_.id();
+        out.time = clock_.time;
+        out.steps = clock_.steps;
+        out.wallSeconds = record_.wallSeconds();
+        out.settled = clock_.settled != 0;
+        out.inputs = options_.inputs;
+        out.state = solver_.state();
+        Archive archive;
+        std::vector<HistoryMark> marks = histories_->marks();
+        fpm::keep(archive, marks);
+        keep(archive);
+        out.record = archive.bytes();
+        checkpoints_.write(out, control_.checkpoint.keep);
+        checkpointStep_ = clock_.steps;
+        schedule_.checkpointIsDone(wall());
+        log_.line(format("checkpoint at time {}, step {}", toText(clock_.time, 9), clock_.steps));
     }
 
     void check()
     {
         if (clock_.failed == 2)
-            fail(format("step {} at time {}: timeStep.fixed {} is beyond the stable step {}",
-                        clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep),
-                 "give a smaller one, or leave it out: the step then follows from stability");
+            fail({format("step {} at time {}: timeStep.fixed {} is beyond the stable step {}",
+                         clock_.steps, clock_.time, control_.fixedTimeStep, clock_.stableStep),
+                  "give a smaller one, or leave it out: the step then follows from stability"});
         if (clock_.failed) {
             const Inversion found = inversionOf(solver_, model_);
-            fail(format("step {} at time {}: {}", clock_.steps, clock_.time, found.what),
-                 found.advice);
+            fail({format("step {} at time {}: {}", clock_.steps, clock_.time, found.what),
+                  found.advice});
         }
         if (const std::string why = endlessReason(clock_, control_, options_.maxSteps);
             !why.empty())
-            fail(why, "see what limits the step, and whether endTime and the units are meant so");
+            fail({why, "see what limits the step, and whether endTime and the units are meant so"});
     }
 
-    [[noreturn]] void fail(const std::string& what,
-                           const std::string& advice =
-                               "try a smaller timeStep.safety or normalScale, and see the element "
-                               "or pair named")
+    void failIf(const std::optional<RunFailure>& failure)
     {
-        writeFileAtomically(root_ / "why.txt", what + "\n");
-        // Beside the mesh as any frame, but of no time: the series ends with the last good state.
-        saveState(failedFolder);
+        if (failure) fail(*failure);
+    }
+
+    [[noreturn]] void fail(const RunFailure& failure)
+    {
+        output_.write("why.txt", failure.what + "\n");
+        frames_.writeFailed();
         finish();
-        throw Error(ExitCode::numericalStop, what,
+        throw Error(ExitCode::numericalStop, failure.what,
                     format("the last time folder holds the last good state, '{}' the one that "
                            "stopped the run; {}",
-                           failedFolder, advice));
+                           FrameWriter::failedFolder, failure.advice));
     }
 
-    void saveState(const std::string& folder)
+    /// An error that leaves the state in the last checkpoint good says how to go on.
+    Error withWayOn(const Error& error) const
     {
-        Frame frame = resultFrame(solver_, model_);
-        frame.runId = record_.id();
-        fpm::writeFrame(root_, folder, frame, model_.mesh.points.size(),
-                        model_.mesh.hexahedra.size());
-    }
-
-    void writeFrame()
-    {
-        const std::string name = timeName(clock_.time);
-        saveState(name);
-        series_.push_back(name);
-        writeSeries(root_, record_.id(), series_);
-        log_.line(format("Time = {}", name));
-        edges_.check(solver_, log_);
-        lastFrame_ = clock_.time;
-        ++frames_;
+        const bool isOfMachine = error.code() == ExitCode::fileIo
+                                 || error.code() == ExitCode::deviceLost
+                                 || error.code() == ExitCode::memory;
+        if (!isOfMachine || checkpointStep_ < 0) return error;
+        return Error(error.code(), error.what(),
+                     error.advice() + (error.advice().empty() ? "" : "\n  = ")
+                         + format("'fpmExplicit -continue' goes on from the checkpoint at step {}",
+                                  checkpointStep_));
     }
 
     void progress()
     {
-        const double wall = secondsSince(begin_);
-        if (wall < nextLine_) return;
-        nextLine_ = wall + 1;
+        const double now = secondsSince(begin_);
+        if (now < nextLine_) return;
+        nextLine_ = now + 1;
         record_.tell(healthStatus(health_.sampledRows()));
         record_.renew(clock_.time, clock_.steps, log_);
-        const double part = clock_.time / control_.endTime;
-        const double rate = double(clock_.steps) * double(model_.mesh.hexahedra.size()) / wall;
+        const double start = options_.from ? options_.from->time : 0,
+                     part = (clock_.time - start) / (control_.endTime - start);
+        const double rate =
+            double(clock_.steps - firstStep()) * double(model_.mesh.hexahedra.size()) / now;
         log_.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
-                             toText(100 * part, 3), toText(clock_.time, 4), toText(clock_.step, 3),
+                             toText(100 * clock_.time / control_.endTime, 3),
+                             toText(clock_.time, 4), toText(clock_.step, 3),
                              toText(100 * energies_.balance, 2), toText(rate / 1e6, 3),
-                             clockText(part > 0 ? wall * (1 - part) / part : 0)));
+                             clockText(part > 0 ? now * (1 - part) / part : 0)));
     }
 
     void finish()
     {
         energies_ = solver_.ledger().energies();
         reportEnergies(energies_, log_);
-        if (control_.kineticShare > 0)
-            log_.line(format("largest kinetic share after {}: {} %", control_.quasiStaticAfter,
-                             toText(100 * largestShare_, 3)));
+        if (const std::string line = judge_.inertia(); !line.empty()) log_.line(line);
         reportRest(clock_, control_, log_);
         reportPairs(solver_, model_, log_);
         reportContact(solver_, model_, log_);
@@ -272,23 +341,42 @@ private:
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
+    void endAfter(const Error& error)
+    {
+        const auto* file = dynamic_cast<const FileError*>(&error);
+        try {
+            record_.end(error.code() == ExitCode::stopped ? RunState::stopped : RunState::failed,
+                        clock_.time, clock_.steps,
+                        file ? file->file().lexically_relative(root_).string() : "");
+        } catch (const Error& second) { // the first one says more
+            log_.warning(std::string("status is not up to date: ") + second.what());
+        }
+    }
+    double wall() const { return secondsSince(options_.begin); }
+    std::int64_t firstStep() const { return options_.from ? options_.from->steps : 0; }
 
     Solver& solver_;
     const Model& model_;
-    const Control& control_;
+    Control control_;                  ///< as it is now
     const std::filesystem::path root_; ///< of the case
-    const RunOptions options_;
+    const RunOptions& options_;
     Log& log_;
+    SignalWatch signals_;
+    const OutputFolder output_;
+    Archive stored_;
     RunRecord record_;
-    Histories histories_;
-    std::vector<std::string> series_; ///< time folders of the frames written
-    StepClock clock_;
-    Energies energies_;
-    std::int64_t frames_ = 0, samples_ = 1;
-    double nextLine_ = 1, lastFrame_ = 0, largestShare_ = 0;
-    bool balanceWarned_ = false;
+    FrameWriter frames_;
+    std::optional<Histories> histories_; ///< once the loop runs: `status` says if they fail
     Health health_;
     EdgeWatch edges_;
+    RunJudge judge_;
+    Schedule schedule_;
+    Checkpoints checkpoints_;
+    ControlWatch watch_;
+    StepClock clock_;
+    Energies energies_;
+    std::int64_t lastRow_ = -1, checkpointStep_ = -1; ///< steps made at the last of them
+    double nextLine_ = 1, longestSlice_ = 0;
     HealthRows verdicts_; ///< at the end
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
@@ -301,6 +389,7 @@ void runTimeLoop(Solver& solver,
                  const RunOptions& options,
                  Log& log)
 {
+    if (options.from) setLaterResultsAside(caseRoot, options.from->runId, options.from->time, log);
     TimeLoop(solver, model, caseRoot, options, log).run();
 }
 

@@ -79,6 +79,11 @@ Solver::Solver(const Model& model, Machine machine, bool audit)
     }
     if (setUp_.elements.erodes && !setUp_.contact.passes.empty())
         renewal_ = std::make_unique<ContactRenewal>(model, setUp_, fields_);
+    if (renewal_ || (setUp_.elements.erodes && !setUp_.nodes.pressureFaceCondition.empty())) {
+        StepClock follows = clock();
+        follows.followed = 0;
+        fields_.clock.clock.fromHost({follows});
+    }
 }
 
 void Solver::start()
@@ -92,26 +97,52 @@ void Solver::start()
     ledger_.start();
 }
 
-void Solver::advance(double time, std::int64_t maxSteps, const Observer& observer)
+/// Contact surfaces follow from the deleted elements, and where the passes have their values, from
+/// the surfaces: elements are restored first.
+void Solver::restore(const std::vector<FieldSet::Images>& state)
+{
+    fields_.restoreMotion(state);
+    if (setUp_.elements.erodes) {
+        const std::vector<bool> deleted = elements_.values().deleted;
+        nodes_.endPressures(setUp_.nodes, deleted);
+        if (renewal_ && renewal_->rebuild(deleted)) lists_.renewFields();
+    }
+    fields_.restore(state);
+    lists_.restored();
+    backend_.forgetSteps();
+    firstStep_ = clock().steps;
+}
+
+void Solver::advance(double time, std::int64_t maxSteps, const Pause& pause)
 {
     const auto begin = std::chrono::steady_clock::now();
     StepClock now = clock();
-    if (now.failed || now.settled || now.time >= time) return;
+    const auto mayStep = [&] {
+        return !now.failed && !now.settled && now.time < time && now.time < pause.at;
+    };
+    if (!mayStep()) return;
     now.stop = time;
+    now.pause = pause.at;
     now.running = 1;
     fields_.clock.clock.fromHost({now});
     const std::int64_t last = now.steps + maxSteps;
-    while (!now.failed && !now.settled && now.time < time && now.steps < last) {
+    while (mayStep() && now.steps < last) {
         const std::int64_t steps = stepsToMake(now, last);
+        const bool checks = lists_.stepsToCheck(now) == 0;
+        // The size of the first step is not known before it is made.
+        const Index ahead = now.step > 0 ? Index(stepsPerGraph) : 1;
         if (cores_) useThreads(cores_->threads());
         backend_.repeat(
-            steps, [this, steps] { step_.prepare(Index(steps)); }, [this] { step(); });
+            steps,
+            [this, checks, ahead] {
+                if (checks) step_.prepare(ahead);
+            },
+            [this] { step(); });
         backend_.synchronize();
         now = clock();
         if (now.waits) lists_.makeWaiting();
-        if (now.deletions != fields_.ledger.deletions()) followDeletions();
-        fields_.ledger.deletions = now.deletions;
-        if (observer) observer(now);
+        if (now.followed >= 0 && now.deletions != now.followed) followDeletions(now);
+        if (pause.goesOn && !pause.goesOn(now)) break;
     }
     if (now.time >= time) nodes_.judge();
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -120,8 +151,9 @@ void Solver::advance(double time, std::int64_t maxSteps, const Observer& observe
 /// Until the host has to look after the run again, `last` at most.
 std::int64_t Solver::stepsToMake(const StepClock& now, std::int64_t last)
 {
-    // The size of the first step is not known before it is made.
-    const std::int64_t steps = now.step <= 0 ? 1 : stepsPerGraph;
+    std::int64_t steps = now.step > 0 ? stepsPerGraph : 1;
+    if (const std::int64_t valid = lists_.stepsToCheck(now); valid > 0)
+        steps = std::min(steps, valid);
     return lists_.searchIfDue(now.steps, std::min(steps, last - now.steps));
 }
 
@@ -139,15 +171,23 @@ void Solver::useThreads(int threads)
     if (backend_.threads() != before) lists_.shareAmongThreads();
 }
 
-void Solver::followDeletions()
+/// At the step of the deletion, wherever the host would look next: no bit depends on that.
+void Solver::followDeletions(StepClock& now)
 {
-    const bool presses = !setUp_.nodes.pressureFaceCondition.empty();
-    if (!presses && !renewal_) return;
     const std::vector<bool> deleted = elements_.values().deleted;
-    if (presses) nodes_.endPressures(setUp_.nodes, deleted);
-    if (!renewal_ || !renewal_->follow(deleted)) return;
-    backend_.forgetSteps();
-    lists_.renew();
+    if (!setUp_.nodes.pressureFaceCondition.empty()) nodes_.endPressures(setUp_.nodes, deleted);
+    const double before = renewal_ ? ledger_.kinetic() : 0;
+    if (renewal_ && renewal_->follow(deleted)) {
+        backend_.forgetSteps();
+        lists_.renew();
+        now.listsValidUntil = now.steps;
+        // Forces that vanish between the two half steps of this time do not do their second half
+        // work, which the springs have given up already.
+        fields_.ledger.lostSpring += before - ledger_.kinetic();
+    }
+    now.followed = now.deletions;
+    now.running = 1;
+    fields_.clock.clock.fromHost({now});
 }
 
 StepTimes Solver::times() const
@@ -161,6 +201,7 @@ StepTimes Solver::times() const
     out.search = lists_.seconds();
     out.threads = cores_ ? cores_->mean() : backend_.threads();
     out.searches = lists_.searches(clock().steps);
+    out.steps = clock().steps - firstStep_;
     return out;
 }
 

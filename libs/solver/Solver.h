@@ -18,6 +18,15 @@ struct StepTimes {
     double total = 0, element = 0, contact = 0, node = 0, search = 0;
     std::int64_t searches = 0; ///< of single passes
     double threads = 0;        ///< of the CPU, on average; 0 on a GPU
+    std::int64_t steps = 0;    ///< made in these seconds; fewer than those of a run that goes on
+};
+
+/// Where an advance comes back before its end.
+struct Pause {
+    double at = 1e300; ///< after the first step at or after this time
+    /// Given the clock every few steps, between two of them; false: comes back now. Must not touch
+    /// the solver. No bit depends on where it does.
+    std::function<bool(const StepClock&)> goesOn;
 };
 
 /// Where a model is computed: an executor and the kernels for it.
@@ -37,14 +46,16 @@ public:
     /// `audit`: book nodal works of every force family, for tests.
     Solver(const Model& model, Machine machine, bool audit);
 
-    /// Is given the clock every few steps, between two of them, and must not touch the solver.
-    using Observer = std::function<void(const StepClock&)>;
-
     /// Forces at the start, without motion. Called once, before the first advance().
     void start();
+    /// All that the next step reads, of a moment between two steps.
+    std::vector<FieldSet::Images> state() { return fields_.state(); }
+    /// In place of start(): goes on from the state of a solver of the same model and precision, on
+    /// whatever backend. Throws Error(checkpoint) where it does not fit the model.
+    void restore(const std::vector<FieldSet::Images>& state);
     /// Steps until `time` is reached exactly or `maxSteps` are done. Stops early on
     /// failure (StepClock::failed) and when dynamic relaxation is at rest (StepClock::settled).
-    void advance(double time, std::int64_t maxSteps, const Observer& observer = {});
+    void advance(double time, std::int64_t maxSteps, const Pause& pause = {});
     /// Goes on with so many threads of the CPU, those it was made with at most. No bit depends on
     /// it.
     void useThreads(int threads);
@@ -67,7 +78,7 @@ public:
 private:
     void step();
     std::int64_t stepsToMake(const StepClock& now, std::int64_t last);
-    void followDeletions();
+    void followDeletions(StepClock& now);
 
     Machine machine_;
     Backend& backend_;
@@ -85,6 +96,7 @@ private:
     std::unique_ptr<ContactRenewal> renewal_; ///< null unless deletions change contact surfaces
     std::unique_ptr<IdleCores> cores_;        ///< null where the number of threads is fixed
     double seconds_ = 0;
+    std::int64_t firstStep_ = 0; ///< of this solver: those before were another's
 };
 
 /// Builds the solver for the model's backend, vector width and precision. Throws Error(device) when

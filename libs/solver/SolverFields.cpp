@@ -43,9 +43,19 @@ void SolverFields::restore(const std::vector<FieldSet::Images>& state)
 {
     const std::vector<FieldSet*> now = sets();
     if (state.size() != now.size())
-        throw Error(ExitCode::internal,
-                    format("{} sets of fields and {} of them stored", now.size(), state.size()));
+        throw Error(ExitCode::checkpoint,
+                    format("{} sets of fields, and the model has {}", state.size(), now.size()));
     for (std::size_t set = 0; set < now.size(); ++set) now[set]->setImages(Role::state, state[set]);
+    for (const auto& pass : contact.passes) pass->requireNumbers();
+}
+
+void SolverFields::restoreMotion(const std::vector<FieldSet::Images>& state)
+{
+    FieldSet* const first[] = {&clock, &elements, &nodes, &bodies};
+    if (state.size() < std::size(first))
+        throw Error(ExitCode::checkpoint, format("{} sets of fields only", state.size()));
+    for (std::size_t set = 0; set < std::size(first); ++set)
+        first[set]->setImages(Role::state, state[set]);
 }
 
 } // namespace fpm

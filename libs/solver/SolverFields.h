@@ -22,10 +22,12 @@ struct SolverFields {
     std::vector<FieldSet*> sets();
     std::size_t bytes();
 
-    /// All that the next step reads, of a moment between two steps; restored into fields of the
-    /// same model. Threads lock everywhere until lists are made anew (PassFields::shared).
+    /// All that the next step reads, of a moment between two steps; see Solver::restore. Throws
+    /// Error(checkpoint) for a state of other fields.
     std::vector<FieldSet::Images> state();
     void restore(const std::vector<FieldSet::Images>& state);
+    /// Of a state, those that contact surfaces do not shape: clock, elements, nodes, rigid bodies.
+    void restoreMotion(const std::vector<FieldSet::Images>& state);
 
     ClockFields clock;
     ElementFields elements;

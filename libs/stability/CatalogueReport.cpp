@@ -2,7 +2,6 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "io/Table.h"
 #include "model/Names.h"
 #include "probe/Svg.h"
@@ -203,10 +202,10 @@ void runCatalogue(const std::string& names, const std::string& folder, int threa
              + padded("paper", 17) + padded("remedy", 17) + "expected");
     for (const CatalogueRow& row : rows) printRow(row, log);
     if (!folder.empty()) {
-        const std::filesystem::path to(folder);
-        writeFileAtomically(to / "failures.md", failureDocument(rows));
-        writeFileAtomically(to / "failures.svg", matrixChart(rows));
-        writeTable(to / "failures.dat", tableOf(rows));
+        const OutputFolder to = OutputFolder::make(folder);
+        to.write("failures.md", failureDocument(rows));
+        to.write("failures.svg", matrixChart(rows));
+        writeTable(to, "failures.dat", tableOf(rows));
         log.line(format("{}/failures.md, failures.svg, failures.dat", folder));
     }
     const auto wrong =

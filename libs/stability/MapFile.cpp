@@ -1,7 +1,6 @@
 #include "stability/MapFile.h"
 
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "io/Checksum.h"
 #include "io/Table.h"
 
@@ -56,7 +55,10 @@ std::string mapKey(const MapSpec& map, std::string_view caseText)
     return sum.text();
 }
 
-void writeMap(const std::filesystem::path& file, const StabilityMap& map, const std::string& key)
+void writeMap(const OutputFolder& output,
+              const std::string& file,
+              const StabilityMap& map,
+              const std::string& key)
 {
     std::string text = "# key " + key + "\n# " + map.spec.scene + "; outcome:";
     for (int i = 0; i < outcomeCount; ++i) text += format(" {} {}", i, nameOf(Outcome(i)));
@@ -74,7 +76,7 @@ void writeMap(const std::filesystem::path& file, const StabilityMap& map, const 
                          point.predictedStable ? 1.0 : 0.0, row.elementStep, row.withContact,
                          row.quality, row.eigenvalue});
     }
-    writeFileAtomically(file, text);
+    output.write(file, text);
 }
 
 void readMap(const std::filesystem::path& file, StabilityMap& map, const std::string& key)

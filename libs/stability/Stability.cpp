@@ -1,7 +1,6 @@
 #include "stability/Stability.h"
 
 #include "base/Format.h"
-#include "io/AtomicFile.h"
 #include "model/Names.h"
 #include "model/readModel.h"
 #include "stability/MapChart.h"
@@ -92,27 +91,27 @@ void drawMap(const MapSpec& spec, const Case& theCase, int threads, Log& log)
     map.rows.resize(spec.y.values.size());
     const bool ofCase = spec.scene == "case";
     const std::string key = mapKey(spec, ofCase ? caseText(theCase) : "");
-    const auto folder = theCase.path("postProcessing/stability");
-    const auto file = folder / (spec.name + ".dat");
-    readMap(file, map, key);
+    const OutputFolder output = theCase.output();
+    const std::string stem = "postProcessing/stability/" + spec.name;
+    readMap(theCase.path(stem + ".dat"), map, key);
     if (const std::size_t kept = map.done(); kept > 0)
         log.line(
             format("{}: {} of {} points are there already", spec.name, kept, map.points.size()));
     Progress progress(map, log);
     const Scene scene = sceneOf(spec, theCase, log);
     completeMap(map, scene, threads, [&] {
-        writeMap(file, map, key);
+        writeMap(output, stem + ".dat", map, key);
         progress.tell();
     });
     map.own = ownPoint(spec, scene);
     log.finish();
     const std::string title =
         format("{}: {} over {}", spec.scene, spec.y.parameter, spec.x.parameter);
-    writeFileAtomically(folder / (spec.name + ".svg"), mapChart(map, title));
+    output.write(stem + ".svg", mapChart(map, title));
     reportSurprises(map, log);
     log.line(format("{} ({}): {}", spec.name, title, conclusionOf(map)));
     if (const std::string own = ownSentence(map); !own.empty()) log.line("  " + own);
-    log.line(format("  postProcessing/stability/{}.dat, {}.svg", spec.name, spec.name));
+    log.line(format("  {}.dat, {}.svg", stem, spec.name));
 }
 
 } // namespace

@@ -2,14 +2,16 @@
 
 #include "base/Format.h"
 #include "case/Confinement.h"
+#include "case/LaterResults.h"
 #include "case/PreviousRun.h"
 #include "dictionary/EntryEdit.h"
 #include "dictionary/Number.h"
-#include "io/AtomicFile.h"
 #include "io/Checksum.h"
+#include "io/FolderTree.h"
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -18,6 +20,9 @@ namespace fpm {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// In every copy, so that nothing else is ever removed for one.
+constexpr const char* markFile = ".fpmCopy";
 
 constexpr std::array runDictionaries{
     "constant/caseProperties", "constant/partProperties", "constant/boundaryConditions",
@@ -44,9 +49,8 @@ bool isInput(const fs::path& root, const fs::path& relative)
     return relative != "0/fields.vtkhdf";
 }
 
-void copyTree(const fs::path& root, const fs::path& from, const fs::path& to, bool all)
+void copyTree(const fs::path& root, const fs::path& from, const OutputFolder& to, bool all)
 {
-    fs::create_directories(to);
     for (fs::recursive_directory_iterator entry(from), end; entry != end; ++entry) {
         const auto relative = entry->path().lexically_relative(from);
         if (!all && !isInput(root, relative)) {
@@ -59,10 +63,18 @@ void copyTree(const fs::path& root, const fs::path& from, const fs::path& to, bo
                         format("{} is a link to a folder", entry->path().string()),
                         "copies of a case hold folders and files; put a folder in its place");
         if (entry->is_directory())
-            fs::create_directories(to / relative);
+            to.inner(relative.string());
         else if (entry->is_regular_file())
-            fs::copy_file(entry->path(), to / relative, fs::copy_options::overwrite_existing);
+            to.copy(entry->path(), relative.string());
     }
+}
+
+[[noreturn]] void refuseStranger(const fs::path& path)
+{
+    throw Error(
+        ExitCode::fileIo,
+        format("'{}' is in the way: it is not a copy that this program made", path.string()),
+        "rename it, or delete it if nothing in it is needed");
 }
 
 /// Files that meshDict names.
@@ -82,23 +94,49 @@ std::vector<std::string> meshFiles(const Dictionary& meshDict)
 
 bool isResult(const std::string& name)
 {
-    static const std::vector<std::string> names{"postProcessing", "failed", "status", "why.txt"};
+    static const std::vector<std::string> names{"postProcessing", checkpointFolder, laterFolder,
+                                                "failed",         "status",     "why.txt"};
     const bool isTime = name != "0" && readNumber(name).has_value();
     return isTime || name.starts_with("log.") || name.ends_with(".series")
            || name.ends_with(".xdmf") || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void copyCase(const Case& theCase, const fs::path& copy)
+OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folder)
+{
+    OutputFolder copy = output.inner(folder);
+    if (!fs::is_empty(copy.path())) refuseStranger(copy.path());
+    copy.renew(markFile, "a copy of a case, made by a program and removed by it\n");
+    return copy;
+}
+
+void removeCopy(const OutputFolder& output, const std::string& folder)
+{
+    const fs::path path = output.path(folder);
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error))) return;
+    output.openFolder(folder); // refuses links
+    if (!fs::is_empty(path) && !fs::is_regular_file(fs::symlink_status(path / markFile, error)))
+        refuseStranger(path);
+    removeTree(output, folder);
+}
+
+void keepCopy(const OutputFolder& copy)
+{
+    copy.remove(markFile);
+}
+
+void copyCase(const Case& theCase, const OutputFolder& copy)
 {
     copyTree(theCase.root(), theCase.root(), copy, false);
 }
 
-void change(const Case& theCase, const fs::path& copy, const CaseChange& change)
+void change(const Case& theCase, const OutputFolder& copy, const CaseChange& change)
 {
     if (!change.overlay.empty())
         return copyTree(theCase.root(), theCase.inside(change.overlay), copy, true);
-    const auto edit = setEntry(copy / change.file, fs::canonical(copy), change.path, change.value);
-    writeFileAtomically(copy / edit.file, edit.text);
+    const auto root = fs::canonical(copy.path());
+    const auto edit = setEntry(root / change.file, root, change.path, change.value);
+    copy.write(edit.file.string(), edit.text);
 }
 
 std::string caseKey(const fs::path& root, bool withProbes)
@@ -122,15 +160,22 @@ std::string caseKey(const fs::path& root, bool withProbes)
     return sum.text();
 }
 
-void removeFields(const fs::path& root)
+void removeFields(const OutputFolder& copy)
 {
+    const fs::path root = copy.path();
+    std::vector<std::string> times, series;
     for (const auto& entry : fs::directory_iterator(root)) {
         const auto name = entry.path().filename().string();
-        if (name.ends_with(".series") || (name != "0" && readNumber(name)))
-            fs::remove_all(entry.path());
+        if (name.ends_with(".series"))
+            series.push_back(name);
+        else if (name != "0" && readNumber(name))
+            times.push_back(name);
     }
-    fs::remove(root / "0/fields.vtkhdf");
-    if (fs::exists(root / "system/meshDict")) fs::remove(root / "constant/mesh.vtkhdf");
+    for (const auto& name : series) copy.remove(name);
+    for (const auto& name : times) removeTree(copy, name);
+    for (const char* name : {"0/fields.vtkhdf", "constant/mesh.vtkhdf"})
+        if (fs::exists(root / name) && (name[0] == '0' || fs::exists(root / "system/meshDict")))
+            copy.remove(name);
 }
 
 } // namespace fpm

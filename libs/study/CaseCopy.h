@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/Case.h"
+#include "io/OutputFolder.h"
 
 #include <filesystem>
 #include <string>
@@ -14,20 +15,29 @@ struct CaseChange {
     std::string overlay;           ///< relative to the case; the entry counts where empty
 };
 
+/// An empty folder for a copy of a case, with the mark by which removeCopy knows it. Throws
+/// Error(fileIo) where there is a folder that has something in it.
+OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folder);
+/// Removes a copy, or does nothing where there is none. Throws Error(fileIo) for a folder that
+/// makeCopyFolder did not make: a person may have put it there.
+void removeCopy(const OutputFolder& output, const std::string& folder);
+/// Lets a copy be a case as any other.
+void keepCopy(const OutputFolder& copy);
+
 /// Copies what a person wrote, not what programs made: no results, logs, hidden files; the mesh
 /// only where no meshDict makes it. Links are followed inside the case; links to folders are
 /// refused.
-void copyCase(const Case& theCase, const std::filesystem::path& copy);
+void copyCase(const Case& theCase, const OutputFolder& copy);
 
 /// Makes the change in a copy of the case. Throws InputError where the entry cannot be set.
-void change(const Case& theCase, const std::filesystem::path& copy, const CaseChange& change);
+void change(const Case& theCase, const OutputFolder& copy, const CaseChange& change);
 
 /// Checksum of what a run of this case depends on: its dictionaries with all they include, comments
 /// and layout aside, and its mesh files. probeDict counts `withProbes` only.
 std::string caseKey(const std::filesystem::path& root, bool withProbes);
 
 /// Removes frames and mesh, leaves dictionaries, logs and histories.
-void removeFields(const std::filesystem::path& root);
+void removeFields(const OutputFolder& copy);
 
 /// Whether fpmProbe or the solver made a folder or file of this name at the top of a case.
 bool isResult(const std::string& name);

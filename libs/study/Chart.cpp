@@ -2,7 +2,6 @@
 
 #include "base/Format.h"
 #include "dictionary/Suggestion.h"
-#include "io/AtomicFile.h"
 #include "study/ChartAdvice.h"
 #include "study/ChartReport.h"
 
@@ -37,7 +36,7 @@ void warnOfHosts(const std::vector<RungResult>& rungs, Log& log)
 void writeResults(const ChartSpec& chart,
                   const Plan& plan,
                   const Study& study,
-                  const std::filesystem::path& folder,
+                  const OutputFolder& folder,
                   Log& log)
 {
     const auto rungs = costsOf(chart, plan, study);
@@ -45,13 +44,14 @@ void writeResults(const ChartSpec& chart,
     std::vector<ProbeResult> probes;
     for (const ChartProbe& probe : chart.probes)
         probes.push_back(judge(probe, chart, plan, study, rungs));
-    writeFileAtomically(folder / "chart.dat", chartTable(chart, plan, rungs, probes));
-    log.line(format("wrote {}", (folder / "chart.dat").string()));
+    const auto write = [&](const std::string& file, const std::string& text) {
+        folder.write(file, text);
+        log.line(format("wrote {}", folder.path(file).string()));
+    };
+    write("chart.dat", chartTable(chart, plan, rungs, probes));
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const ChartProbe& probe = chart.probes[i];
-        const auto picture = folder / (probe.name + ".svg");
-        writeFileAtomically(picture, chartPicture(chart, probe, plan, rungs, probes[i]));
-        log.line(format("wrote {}", picture.string()));
+        write(probe.name + ".svg", chartPicture(chart, probe, plan, rungs, probes[i]));
     }
     for (std::size_t i = 0; i < probes.size(); ++i)
         log.line(conclusion(chart, chart.probes[i], plan, rungs, probes[i]));
@@ -63,14 +63,15 @@ void runChart(const Case& theCase,
               const Pipeline& pipeline,
               Log& log)
 {
-    const auto folder = theCase.path("postProcessing/chart") / chart.name;
+    const std::string folder = "postProcessing/chart/" + chart.name;
     const Plan plan = chart.product ? productOf(chart.ladders) : eachOf(chart.ladders);
     chart.settings.retry = options.retry;
     Study study(theCase, folder, runsOf(plan, chart.fixed), chart.settings, pipeline);
-    log.line(format("chart {}: {} runs in {}", chart.name, study.total(), folder.string()));
+    log.line(format("chart {}: {} runs in {}", chart.name, study.total(),
+                    theCase.path(folder).string()));
     if (options.dryRun) return study.list(log);
     study.run(log);
-    writeResults(chart, plan, study, folder, log);
+    writeResults(chart, plan, study, theCase.output().inner(folder), log);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "dictionary/EntryEdit.h"
 #include "dictionary/Number.h"
 #include "dictionary/Suggestion.h"
+#include "study/Overlay.h"
 
 #include <algorithm>
 #include <set>
@@ -139,13 +140,6 @@ CaseChange readEntry(const Dictionary& entry,
     return change;
 }
 
-void requireFolder(const Dictionary& entry, const std::string& folder, const Case& theCase)
-{
-    if (!fs::is_directory(theCase.inside(folder)))
-        entry.fail("overlay", format("the case has no folder '{}'", folder),
-                   "none is the case as it is");
-}
-
 /// One entry, whose values are the rungs, or several, whose values are rows.
 void readValues(const Dictionary& entry,
                 Ladder& ladder,
@@ -175,7 +169,7 @@ void readOverlays(const Dictionary& entry, Ladder& ladder, const Case& theCase)
     for (const auto& folder : ladder.values) {
         ladder.changes.emplace_back();
         if (folder == "none") continue;
-        requireFolder(entry, folder, theCase);
+        requireOverlay(entry, folder, theCase);
         ladder.changes.back().push_back({"", "", "", folder});
     }
 }
@@ -316,7 +310,7 @@ std::vector<CaseChange> readFixed(const Dictionary& entries, const Case& theCase
     for (const auto& name : entries.keys())
         if (const auto entry = entries.sub(name); entry.has("overlay")) {
             fixed.push_back({"", "", "", entry.word("overlay")});
-            requireFolder(entry, fixed.back().overlay, theCase);
+            requireOverlay(entry, fixed.back().overlay, theCase);
         }
     for (const auto& name : entries.keys()) {
         const auto entry = entries.sub(name);

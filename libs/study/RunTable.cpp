@@ -3,7 +3,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "dictionary/Number.h"
-#include "io/AtomicFile.h"
 
 #include <fstream>
 #include <map>
@@ -28,7 +27,7 @@ std::string lineOf(const RunRow& row)
 /// False when the words are no row.
 bool rowOf(const std::vector<std::string>& words, RunRow& row)
 {
-    if (words.size() != columns) return false;
+    if (words.size() != columns || words[0].find('/') != std::string::npos) return false;
     const auto repeat = readInteger(words[2]);
     if (!repeat || *repeat < 1 || *repeat > 1'000'000) return false;
     row.run = words[0], row.key = words[1], row.repeat = int(*repeat), row.state = words[3];
@@ -75,9 +74,12 @@ double timeLimitOf(const std::string& state)
     return at == state.npos ? 0 : readNumber(state.substr(at + mark.size())).value_or(0);
 }
 
-RunTable::RunTable(std::filesystem::path file) : file_(std::move(file))
+RunTable::RunTable(const OutputFolder& output, const std::string& file)
+    : output_(output),
+      file_(file)
 {
-    std::ifstream stream(file_);
+    const auto path = output.path(file);
+    std::ifstream stream(path);
     int number = 0;
     for (std::string line; std::getline(stream, line);) {
         ++number;
@@ -88,7 +90,7 @@ RunTable::RunTable(std::filesystem::path file) : file_(std::move(file))
         RunRow row;
         if (!rowOf(words, row))
             throw Error(ExitCode::fileIo,
-                        format("{}:{}: this line is no finished run", file_.string(), number),
+                        format("{}:{}: this line is no finished run", path.string(), number),
                         "delete the line to repeat the run, or the file to repeat all");
         rows_.push_back(std::move(row));
     }
@@ -117,7 +119,7 @@ void RunTable::write() const
     std::string text = "# run key repeat state wall_s cpu_s elements steps nsPerElementStep "
                        "memory_MB host\n";
     for (const auto& row : rows_) text += lineOf(row);
-    writeFileAtomically(file_, text);
+    output_.write(file_, text);
 }
 
 } // namespace fpm

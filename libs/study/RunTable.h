@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include "io/OutputFolder.h"
+
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ class RunTable
 {
 public:
     /// Reads what an earlier start has left. Throws Error(fileIo) for a line it cannot read.
-    explicit RunTable(std::filesystem::path file);
+    RunTable(const OutputFolder& output, const std::string& file);
 
     const std::vector<RunRow>& rows() const { return rows_; }
     const RunRow* find(const std::string& key, int repeat) const;
@@ -47,7 +48,8 @@ public:
 private:
     void write() const;
 
-    std::filesystem::path file_;
+    OutputFolder output_;
+    std::string file_; ///< within `output_`
     std::vector<RunRow> rows_;
 };
 

@@ -15,47 +15,57 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removed however it ends.
+/// A copy that is removed however it ends.
 struct Scratch {
-    explicit Scratch(fs::path folder) : path(std::move(folder)) { fs::remove_all(path); }
+    Scratch(const OutputFolder& itsOutput, std::string itsFolder)
+        : output(itsOutput),
+          folder(std::move(itsFolder))
+    {
+        removeCopy(output, folder);
+    }
     Scratch(const Scratch&) = delete;
     ~Scratch()
     {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
+        try {
+            removeCopy(output, folder);
+        } catch (const std::exception&) {
+            // The next start removes it, or says why it cannot.
+        }
     }
-    fs::path path;
+    const OutputFolder& output;
+    std::string folder;
 };
 
 } // namespace
 
 Study::Study(Case theCase,
-             fs::path folder,
+             std::string folder,
              std::vector<StudyRun> runs,
              const StudySettings& settings,
              const Pipeline& pipeline)
     : case_(std::move(theCase)),
+      output_(case_.output()),
       folder_(std::move(folder)),
       runs_(std::move(runs)),
       settings_(settings),
       pipeline_(pipeline),
-      table_(folder_ / "runs.dat")
+      table_(output_, folder_ + "/runs.dat")
 {
-    const Scratch scratch(folder_ / "runs/.trial");
     for (std::size_t run = 0; run < runs_.size(); ++run) {
-        makeCopy(run, scratch.path);
+        const Scratch scratch(output_, folder_ + "/runs/.trial");
+        makeCopy(run, scratch.folder);
         Checksum sum;
-        sum.add(caseKey(scratch.path, settings_.tables));
+        sum.add(caseKey(output_.path(scratch.folder), settings_.tables));
         sum.add(pipeline_.key());
         keys_.push_back(sum.text());
         first_.push_back(
             std::size_t(std::find(keys_.begin(), keys_.end(), keys_.back()) - keys_.begin()));
-        fs::remove_all(scratch.path);
     }
 }
 
-void Study::makeCopy(std::size_t run, const fs::path& copy) const
+void Study::makeCopy(std::size_t run, const std::string& folder) const
 {
+    const OutputFolder copy = makeCopyFolder(output_, folder);
     copyCase(case_, copy);
     // Entries are changed in what an overlay brings, whatever the order.
     for (const bool overlays : {true, false})
@@ -72,7 +82,7 @@ const RunRow* Study::finished(std::size_t run, int repeat) const
     const double given = timeLimitOf(row->state);
     if (given > 0 && (settings_.timeLimit == 0 || settings_.timeLimit > given)) return nullptr;
     // The first repeat leaves its results; without them it counts for nothing.
-    if (repeat == 1 && !fs::exists(folder_ / "runs" / row->run)) return nullptr;
+    if (repeat == 1 && !fs::exists(output_.path(folder_ + "/runs/" + row->run))) return nullptr;
     return row;
 }
 
@@ -114,30 +124,37 @@ void Study::list(Log& log) const
     log.line(format("{} runs ({} repeats each), {} to do", total(), settings_.repeats, toDo()));
 }
 
-fs::path Study::prepare(std::size_t run, int repeat)
+std::string Study::copyOf(std::size_t run, int repeat) const
 {
-    const auto& name = runs_[run].name;
-    const auto copy = folder_ / "runs" / (repeat == 1 ? name : name + ".again");
-    if (fs::exists(copy)) {
-        const CaseLock lock(copy, "fpmChart"); // refuses while a stray run still works there
-        if (repeat == 1) table_.removeRun(name);
-        fs::remove_all(copy);
+    return folder_ + "/runs/" + runs_[run].name + (repeat == 1 ? "" : ".again");
+}
+
+void Study::prepare(std::size_t run, int repeat)
+{
+    const std::string folder = copyOf(run, repeat);
+    const fs::path path = output_.path(folder);
+    if (std::error_code error; fs::exists(fs::symlink_status(path, error))) {
+        output_.openFolder(folder);            // refuses links
+        const CaseLock lock(path, "fpmChart"); // refuses while a stray run still works there
+        if (repeat == 1) table_.removeRun(runs_[run].name);
+        removeCopy(output_, folder);
     }
-    makeCopy(run, copy);
-    return copy;
+    makeCopy(run, folder);
 }
 
 void Study::runOne(std::size_t run, int repeat, Log& log, std::size_t number)
 {
-    const auto copy = prepare(run, repeat);
+    prepare(run, repeat);
+    const std::string folder = copyOf(run, repeat);
+    const fs::path copy = output_.path(folder);
     const double limit =
         settings_.timeLimit > 0 ? settings_.timeLimit : std::numeric_limits<double>::infinity();
     auto row = pipeline_.run(copy, settings_.tables && repeat == 1, limit);
     row.run = runs_[run].name, row.key = keys_[run], row.repeat = repeat;
     if (repeat > 1)
-        fs::remove_all(copy);
+        removeCopy(output_, folder);
     else if (!settings_.keepFields && row.succeeded())
-        removeFields(copy);
+        removeFields(output_.inner(folder));
     table_.add(row);
     const std::string again = repeat > 1 ? format(", repeat {}", repeat) : std::string();
     log.line(format("  {} of {}: {}{}: {}", number, total(), row.run, again,
@@ -174,7 +191,7 @@ std::vector<RunRow> Study::rows(std::size_t run) const
 fs::path Study::folder(std::size_t run) const
 {
     const auto* row = table_.find(keys_[run], 1);
-    return folder_ / "runs" / (row == nullptr ? runs_[run].name : row->run);
+    return output_.path(folder_ + "/runs/" + (row == nullptr ? runs_[run].name : row->run));
 }
 
 } // namespace fpm

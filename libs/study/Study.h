@@ -24,16 +24,16 @@ struct StudySettings {
     bool retry = false;      ///< failed runs are not taken for finished
 };
 
-/// A case run in many variations, each in a copy under <folder>/runs. <folder>/runs.dat tells which
-/// are finished, by the content of their dictionaries: a later start goes on where one was stopped,
-/// and repeats what has changed only. Variations of equal content are run once.
+/// A case run in many variations, each in a copy under <folder>/runs of it. <folder>/runs.dat says
+/// which are finished, by the content of their dictionaries: a later start goes on where one was
+/// stopped, and repeats what has changed only. Variations of equal content are run once.
 class Study
 {
 public:
     /// Makes a copy of every variation on trial. Throws InputError for a change that cannot be
     /// made.
     Study(Case theCase,
-          std::filesystem::path folder,
+          std::string folder,
           std::vector<StudyRun> runs,
           const StudySettings& settings,
           const Pipeline& pipeline);
@@ -56,12 +56,14 @@ public:
 private:
     const RunRow* finished(std::size_t run, int repeat) const;
     bool isDue(std::size_t run, int repeat) const;
-    std::filesystem::path prepare(std::size_t run, int repeat);
-    void makeCopy(std::size_t run, const std::filesystem::path& copy) const;
+    std::string copyOf(std::size_t run, int repeat) const;
+    void prepare(std::size_t run, int repeat);
+    void makeCopy(std::size_t run, const std::string& folder) const;
     void runOne(std::size_t run, int repeat, Log& log, std::size_t number);
 
     Case case_;
-    std::filesystem::path folder_;
+    OutputFolder output_; ///< of the case
+    std::string folder_;  ///< within it
     std::vector<StudyRun> runs_;
     std::vector<std::string> keys_;
     std::vector<std::size_t> first_; ///< the first variation of the same content

@@ -17,7 +17,8 @@ static void writeExample(const std::filesystem::path& folder)
     test::addBox(mesh, "lower", {4, 3, 2}, {0, 0, 0}, {4, 3, 2});
     test::addBox(mesh, "upper", {2, 2, 1}, {0, 0, 2}, {4, 3, 1});
     renumber(mesh);
-    writeMesh(folder / "constant" / "mesh.vtkhdf", mesh);
+    const OutputFolder output = OutputFolder::make(folder);
+    writeMesh(output, mesh);
     for (const double time : {0.0, 5e-5}) {
         Frame frame;
         frame.time = time;
@@ -33,9 +34,9 @@ static void writeExample(const std::filesystem::path& folder)
         }
         frame.nodeFields = {displacement};
         frame.elementFields = {stress, strain};
-        writeFrame(folder, timeName(time), frame, mesh.points.size(), mesh.hexahedra.size());
+        writeFrame(output, timeName(time), frame, mesh.points.size(), mesh.hexahedra.size());
     }
-    writeSeries(folder, "one", {timeName(0), timeName(5e-5)});
+    writeSeries(output, "one", {timeName(0), timeName(5e-5)});
 }
 
 int main(int argc, char** argv)

@@ -174,12 +174,14 @@ void ImageEdits::apply(InputBytes& input)
     while (!input.isEmpty() && !items_.empty()) edit(input.below(items_.size()), input);
 }
 
-void ImageEdits::write(const std::filesystem::path& file, const std::string& label) const
+void ImageEdits::write(const std::filesystem::path& folder,
+                       const std::string& file,
+                       const std::string& label) const
 {
     Hdf5Image image;
     // Names that HDF5 does not take, or that stand twice, are left out.
     for (const Item& item : items_) tried([&] { writeItem(image, item); });
-    image.save(file, label);
+    image.save(OutputFolder(folder), file, label);
 }
 
 } // namespace fpm::fuzz

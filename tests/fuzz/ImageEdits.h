@@ -26,7 +26,9 @@ public:
     ImageEdits(const std::filesystem::path& file, const std::vector<std::string>& attributes);
     /// Changes values, numbers of rows and columns, types and names, until the input ends.
     void apply(InputBytes& input);
-    void write(const std::filesystem::path& file, const std::string& label) const;
+    void write(const std::filesystem::path& folder,
+               const std::string& file,
+               const std::string& label) const;
 
 private:
     void collect(const Hdf5Reader& reader,

@@ -35,7 +35,7 @@ private:
         frame.elementFields.push_back({"PEEQ", 1, {0.25}});
         frame.meshChecksum = mesh.checksum;
         frame.runId = "run";
-        writeFrame(folder.path(), "0", frame, mesh.nodeCount, mesh.elementCount);
+        writeFrame(OutputFolder(folder.path()), "0", frame, mesh.nodeCount, mesh.elementCount);
     }
 };
 
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t si
     fuzz::ImageEdits edits = base.content;
     edits.apply(input);
     const auto file = base.folder / "1/fields.vtkhdf";
-    edits.write(file, label.empty() ? base.label : label);
+    edits.write(base.folder.path(), "1/fields.vtkhdf", label.empty() ? base.label : label);
     fuzz::tried([&] { listFrames(base.folder.path()); });
     fuzz::tried([&] {
         const Frame frame = readFrame(file, mesh);

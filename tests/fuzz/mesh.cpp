@@ -33,11 +33,11 @@ struct Base {
     fuzz::ImageEdits content;
 
     Base()
-        : label((writeMesh(file(), smallMesh()), *hdf5Label(file()))),
+        : label((writeMesh(OutputFolder(folder.path()), smallMesh()), *hdf5Label(file()))),
           content(file(), {"version", "meshChecksum", "key", "order", "Version", "Type"})
     {
     }
-    std::filesystem::path file() const { return folder / "mesh.vtkhdf"; }
+    std::filesystem::path file() const { return folder / meshFile; }
 };
 
 void requireSound(const Mesh& mesh)
@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t si
     fuzz::ImageEdits edits = base.content;
     edits.apply(input);
     const auto file = base.folder / "edited.vtkhdf";
-    edits.write(file, base.label);
+    edits.write(base.folder.path(), "edited.vtkhdf", base.label);
     fuzz::tried([&] { requireSound(readMesh(file)); });
     return 0;
 }

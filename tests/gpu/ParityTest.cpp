@@ -64,7 +64,7 @@ Outcome outcomeOf(Solver& solver, const Model& model)
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
         const PairForce f = solver.contact().force(pair);
         out.add("pair force", {f.force.begin(), f.force.end()});
-        out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
+        out.add("pair", {double(f.active), double(f.released), double(f.inside), f.springEnergy,
                          f.friction, f.damping});
         const PairStatus t = solver.contact().status(pair);
         out.add("touch", {double(t.active), t.maxDepth, t.meanDepth, double(t.deepest), t.thickness,
@@ -154,6 +154,30 @@ TEST_P(Parity, WorksOfNodesAreEqual)
         scene.model.control.precision = GetParam();
         expectEqual(outcomeOf(scene.model, backendUnderTest(), 1, true),
                     outcomeOf(scene.model, "serial", 1, true));
+    }
+}
+
+/// Half of the steps here, the others there, both ways.
+TEST_P(Parity, AStateGoesOnOnTheOtherBackend)
+{
+    const int steps = stepsAsked();
+    for (Scene& scene : scenes()) {
+        SCOPED_TRACE(scene.name);
+        scene.model.control.precision = GetParam();
+        scene.model.control.threads = 2;
+        Model there = scene.model;
+        there.control.backend = backendUnderTest();
+        const Outcome expected = outcomeOf(scene.model, "serial");
+        scene.model.control.backend = "serial";
+        for (const auto& [first, second] :
+             {std::pair{&scene.model, &there}, {&there, &scene.model}}) {
+            const auto begins = startedSolver(*first);
+            begins->advance(1, steps / 2);
+            const auto ends = makeSolver(*second);
+            ends->restore(begins->state());
+            ends->advance(1, steps - steps / 2);
+            EXPECT_EQ(stateChecksum(*ends), expected.state);
+        }
     }
 }
 

@@ -15,6 +15,7 @@ struct StepClock {
     double step = 0;             ///< step that led to the positions, dt^(n-1/2)
     double mean = 0;             ///< (dt^(n-1/2) + dt^(n+1/2)) / 2, for the velocity
     double stop = 0;             ///< time that is met exactly; then the clock stands still
+    double pause = 1e300;        ///< it stands still at the first step at or after this time too
     double stableStep = 0;       ///< last bound from elements and contact, before the safety factor
     double elementStep = 0;      ///< last bound from elements alone
     double contactFrequency = 0; ///< last bound omega_c of the contact springs
@@ -23,13 +24,16 @@ struct StepClock {
     double unrest = 0;   ///< square root of kinetic over stored energy
     double quiet = 0;    ///< time for which both have been small
     std::int64_t steps = 0;
-    std::int64_t deletions = 0;                           ///< changes whenever elements are deleted
+    std::int64_t deletions = 0; ///< changes whenever elements are deleted
+    std::int64_t followed = -1; ///< those that surfaces follow: no step is made with a surface of
+                                ///< deleted elements; -1: none has to
     std::int64_t listsValidUntil = std::int64_t(1) << 62; ///< step up to which contact lists are
                                                           ///< valid
     std::int32_t searched = 0;                            ///< 1: the last list check rebuilt some
                                                           ///< lists
     std::int32_t waits = 0;   ///< 1: waits for contact lists that the host has to rebuild
-    std::int32_t running = 1; ///< 0: `stop` is reached or lists have to be rebuilt, nothing moves
+    std::int32_t running = 1; ///< 0: `stop` or `pause` is reached, or lists or surfaces have to
+                              ///< be rebuilt; nothing moves
     std::int32_t failed = 0;  ///< 1: an element inverted or a number is not finite; 2: the fixed
                               ///< step is beyond the bound; nothing moves
     std::int32_t settled = 0; ///< dynamic relaxation is done; nothing moves
@@ -37,7 +41,8 @@ struct StepClock {
     /// Another step may be made.
     FPM_KERNEL bool mayStep() const
     {
-        return !failed && !settled && time < stop && steps < listsValidUntil;
+        return !failed && !settled && time < stop && time < pause && steps < listsValidUntil
+               && (followed < 0 || followed == deletions);
     }
 };
 

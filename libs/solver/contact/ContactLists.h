@@ -29,6 +29,9 @@ public:
     /// Checks whether lists stay valid for so many steps, where needed; part of what a graph
     /// records.
     void check(Index steps);
+    /// Steps until lists have to be checked: 0 at such a step, far off where they never are. Those
+    /// steps follow from the run alone, not from where the host looks after it.
+    std::int64_t stepsToCheck(const StepClock& now) const;
     /// Where every step searches: now.
     void searchAtStep();
     /// Where an interval is given: searches if it is due. Returns how many of `steps` may follow.
@@ -37,6 +40,10 @@ public:
     void makeWaiting();
     /// Follows another set-up of the passes; what was counted stays.
     void renew();
+    /// Fields for another set-up of the passes, without values.
+    void renewFields();
+    /// Follows lists that are restored.
+    void restored();
     /// Marks the blocks where threads of the force kernels need atomic additions.
     void shareAmongThreads();
 
@@ -46,7 +53,7 @@ public:
     std::int64_t searches(std::int64_t steps) const;
 
 private:
-    enum class When { never, asListsLast, interval, everyStep };
+    enum class When { never, whenInvalid, interval, everyStep };
 
     void decideWhen();
     void makeLists(bool all);

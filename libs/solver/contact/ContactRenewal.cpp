@@ -42,12 +42,29 @@ bool ContactRenewal::follow(const std::vector<bool>& deleted)
     for (std::size_t pass = 0; pass < passes.size(); ++pass)
         renewPass(pass, compared(passes[pass], setUp_.contact.passes[pass]), scale);
     renewNodes(numbers, scale);
-    if (setUp_.nodes.movedByPatches) {
-        shareNodes(setUp_);
-        fields_.nodes.renewListed(setUp_.nodes);
-        fields_.elements.patches.fromHost(setUp_.elements.patches);
-    }
+    renewMovers();
     return true;
+}
+
+bool ContactRenewal::rebuild(const std::vector<bool>& deleted)
+{
+    if (!erosion_.renewContact(setUp_, deleted)) return false;
+    ContactFields& contact = fields_.contact;
+    for (std::size_t pass = 0; pass < contact.passes.size(); ++pass)
+        contact.passes[pass] = std::make_unique<PassFields>(setUp_.contact.passes[pass],
+                                                            contact.memory(), contact.numbers());
+    contact.renewNodes(setUp_.contact);
+    renewMovers();
+    return true;
+}
+
+/// Nodes that have come into contact are moved by the pass over the nodes.
+void ContactRenewal::renewMovers()
+{
+    if (!setUp_.nodes.movedByPatches) return;
+    shareNodes(setUp_);
+    fields_.nodes.renewListed(setUp_.nodes);
+    fields_.elements.patches.fromHost(setUp_.elements.patches);
 }
 
 void ContactRenewal::renewPass(std::size_t number,
@@ -106,7 +123,7 @@ void ContactRenewal::bookLost(const PassFields& old,
 {
     const std::size_t oldCount = old.contactor.size();
     LedgerFields& lost = fields_.ledger;
-    lost.lostSpring += leftBehind(old.spring, touching, oldCount);
+    lost.lostSpring += leftBehind(old.springEnergy, touching, oldCount);
     lost.lostFriction += leftBehind(old.dissipated, from.contactor, oldCount);
     lost.lostDamping += leftBehind(old.damped, from.contactor, oldCount);
     lost.lostWork += leftBehind(old.surfaceWork, from.contactor, oldCount)

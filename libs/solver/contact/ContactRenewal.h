@@ -14,6 +14,9 @@ public:
     ContactRenewal(const Model& model, SolverSetUp& setUp, SolverFields& fields);
     /// False where no surface changes. Lists have to be renewed after it.
     bool follow(const std::vector<bool>& deleted);
+    /// The same for a run that goes on where these are deleted already: fields of the surfaces that
+    /// are left, without values.
+    bool rebuild(const std::vector<bool>& deleted);
 
 private:
     void renewPass(std::size_t pass, const PassRenewal& from, const ForceScale& before);
@@ -24,6 +27,7 @@ private:
     void
     bookLost(const PassFields& old, const PassRenewal& from, const std::vector<Index>& touching);
     void renewNodes(const std::vector<Index>& numbers, const ForceScale& before);
+    void renewMovers();
 
     SolverSetUp& setUp_;
     SolverFields& fields_;

@@ -19,7 +19,7 @@ struct ListFields : FieldSet {
     Field<Index> allOwn{*this, {"allOwn", Location::table, Role::derived}};
     Field<Index> allTarget{*this, {"allTarget", Location::table, Role::derived}};
     Field<Index> nearStart{*this, {"nearStart", Location::table, Role::state}};
-    Field<Index> near{*this, {"near", Location::table, Role::state}};
+    Field<Index> near{*this, {"near", Location::list, Role::state}};
     Field<BlockListState> blocks{*this, {"blocks", Location::block, Role::state}};
     Field<Index> due{*this, {"due", Location::block, Role::scratch}}; ///< blocks that search now
 };

@@ -1,5 +1,6 @@
 #include "solver/contact/NearBlocks.h"
 
+#include "base/Error.h"
 #include "kernels/contact/ListCheck.h"
 #include "kernels/contact/Search.h"
 
@@ -116,6 +117,28 @@ void NearBlocks::rebuild(std::size_t place, const Positions& positions)
             if (target.isWithin(distance, box)) pass.near.blocks.push_back(where);
         pass.near.starts.push_back(Index(pass.near.blocks.size()));
     }
+}
+
+void NearBlocks::restore(std::size_t place,
+                         const std::vector<Index>& starts,
+                         const std::vector<Index>& blocks)
+{
+    Pass& pass = passes_[place];
+    // No rebuild so far: nothing is near anything.
+    const bool none = std::ranges::all_of(starts, [](Index start) { return start == 0; });
+    const auto isBlock = [&](Index block) {
+        return std::ranges::binary_search(pass.allTarget, block);
+    };
+    const bool whole = starts.size() == pass.own.starts.size() && starts.front() == 0
+                       && std::ranges::is_sorted(starts)
+                       && std::size_t(starts.back()) <= blocks.size()
+                       && std::all_of(blocks.begin(), blocks.begin() + starts.back(), isBlock);
+    if (!whole)
+        throw Error(ExitCode::checkpoint, "the lists of near contact nodes do not fit the model");
+    pass.near = {};
+    if (none) return;
+    pass.near.starts = starts;
+    pass.near.blocks.assign(blocks.begin(), blocks.begin() + starts.back());
 }
 
 std::vector<std::uint8_t> NearBlocks::sharedBlocks(std::size_t place,

@@ -33,6 +33,10 @@ public:
     /// Rebuilds the neighbours of a pass (of passes()), whose lists were rebuilt at these
     /// positions.
     void rebuild(std::size_t place, const Positions& positions);
+    /// Neighbours of a pass as they were; `blocks` may be longer than starts say. Throws
+    /// Error(checkpoint) for numbers that no rebuild makes.
+    void
+    restore(std::size_t place, const std::vector<Index>& starts, const std::vector<Index>& blocks);
     /// Blocks of contact nodes that contactors of more than one thread may push until the pass is
     /// rebuilt, 1 each. Thread t has the blocks of contactors from starts[t] on.
     std::vector<std::uint8_t> sharedBlocks(std::size_t place,

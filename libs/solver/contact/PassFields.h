@@ -48,9 +48,10 @@ struct PassFields : FieldSet {
         *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
     NumberField eta{
         *this, {"eta", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
-    NumberField friction{*this,
-                         {"friction", Location::contactor, Role::state, Renewal::keptInContact},
-                         Family::work};
+    NumberField tangentialForce{
+        *this,
+        {"tangentialForce", Location::contactor, Role::state, Renewal::keptInContact},
+        Family::work};
     NumberField heldStiffness{
         *this,
         {"heldStiffness", Location::contactor, Role::state, Renewal::keptInContact},
@@ -63,8 +64,8 @@ struct PassFields : FieldSet {
     /// Of an analytic surface on each contactor.
     Field<double> surfaceForce{
         *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInContact}};
-    Field<double> spring{*this,
-                         {"spring", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<double> springEnergy{
+        *this, {"springEnergy", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dampingForce{
         *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dissipated{*this,
@@ -83,6 +84,10 @@ struct PassFields : FieldSet {
     /// Results of a reading; see StatusSums and the gaps.
     Field<double> status{*this, {"status", Location::block, Role::scratch}};
     Field<double> gap{*this, {"gap", Location::contactor, Role::scratch}};
+
+    /// Throws Error(checkpoint) where a restored number of a face or cell entry is none there is:
+    /// kernels follow them unseen.
+    void requireNumbers() const;
 
     std::uint32_t cellMask = 0; ///< of the hash into `head`
 

@@ -26,6 +26,11 @@ public:
     /// The energy that is there before the first step.
     void start();
     Energies energies();
+    /// The same without a trace: the balance of later times does not depend on whether this was
+    /// asked for.
+    Energies peek();
+    /// Kinetic energy of this time, between the two half steps that its forces make.
+    double kinetic() { return kineticEnergy()[0]; }
     NodalWorks nodalWorks() const;
 
 private:

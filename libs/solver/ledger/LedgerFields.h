@@ -18,8 +18,6 @@ struct LedgerFields : FieldSet {
     Value<double> lostFriction{*this, "lostFriction"};
     Value<double> lostDamping{*this, "lostDamping"};
     Value<double> lostWork{*this, "lostWork"};
-    /// Those that pressures and contact surfaces follow.
-    Value<std::int64_t> deletions{*this, "deletions"};
     /// Step of the next search, where an interval is given.
     Value<std::int64_t> nextSearch{*this, "nextSearch"};
     /// Whole searches of passes that surfaces have left since.

@@ -32,7 +32,7 @@ protected:
         for (std::size_t n = 0; n < model_.mesh.points.size(); ++n)
             u.values.insert(u.values.end(), {0, 0, lift});
         frame.nodeFields = {u};
-        writeFrame(folder_.root(), name, frame, model_.mesh.points.size(),
+        writeFrame(OutputFolder(folder_.root()), name, frame, model_.mesh.points.size(),
                    model_.mesh.hexahedra.size());
     }
     void addHistories(const std::string& runId) const
@@ -114,7 +114,7 @@ TEST_F(ResultsTest, RefuseAForgedFrameWithFewerNodes)
     frame.runId = "one";
     frame.nodeFields = {{"U", 3, {0, 0, 0}}};
     frame.elementFields = {{"S", 6, {0, 0, 0, 0, 0, 0}}};
-    writeFrame(folder_.root(), "1", frame, 1, 1);
+    writeFrame(OutputFolder(folder_.root()), "1", frame, 1, 1);
 
     EXPECT_THROW(read(), Error);
 }
@@ -130,7 +130,7 @@ TEST_F(ResultsTest, PassOverAForgedFieldWithFewerColumns)
     const std::size_t elements = model_.mesh.hexahedra.size();
     frame.nodeFields = {{"U", 1, std::vector<double>(nodes, 9)}};
     frame.elementFields = {{"S", 1, std::vector<double>(elements, 9)}};
-    writeFrame(folder_.root(), "1", frame, nodes, elements);
+    writeFrame(OutputFolder(folder_.root()), "1", frame, nodes, elements);
 
     const auto results = read();
 

@@ -1,7 +1,11 @@
 #include "base/Log.h"
 
+#include "support/logFile.h"
+
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace fpm {
@@ -27,7 +31,7 @@ protected:
 
 TEST_F(LogFile, HoldsEveryLineAtOnce)
 {
-    Log log(file_);
+    Log log = test::logInto(file_);
 
     log.line("Time = 1e-05");
     log.line();
@@ -38,16 +42,16 @@ TEST_F(LogFile, HoldsEveryLineAtOnce)
 
 TEST_F(LogFile, StartsEmpty)
 {
-    Log(file_).line("first run");
+    test::logInto(file_).line("first run");
 
-    Log(file_).line("second run");
+    test::logInto(file_).line("second run");
 
     EXPECT_EQ(content(), "second run\n");
 }
 
 TEST_F(LogFile, RepeatsAWarningTenTimesThenCounts)
 {
-    Log log(file_);
+    Log log = test::logInto(file_);
 
     for (int repeat = 0; repeat < 25; ++repeat) log.warning("thin element");
     log.finish();
@@ -63,7 +67,7 @@ TEST_F(LogFile, RepeatsAWarningTenTimesThenCounts)
 
 TEST_F(LogFile, HoldsProgressAsOrdinaryLines)
 {
-    Log log(file_);
+    Log log = test::logInto(file_);
 
     log.progress("10 %");
     log.progress("20 %");
@@ -73,16 +77,28 @@ TEST_F(LogFile, HoldsProgressAsOrdinaryLines)
 
 TEST_F(LogFile, NamesAnError)
 {
-    Log log(file_);
+    Log log = test::logInto(file_);
 
     log.error("no such part");
 
     EXPECT_EQ(content(), "error: no such part\n");
 }
 
+TEST_F(LogFile, HoldsNoControlCharacters)
+{
+    Log log = test::logInto(file_);
+
+    log.line("case a\x1B[2Jb");
+    log.warning("\xC2\x9B");
+    log.progress("1\r2");
+    log.error("x\x07\n  = y\tz");
+
+    EXPECT_EQ(content(), "case a?[2Jb\nwarning: ?\n1?2\nerror: x?\n  = y\tz\n");
+}
+
 TEST_F(LogFile, GoesOnWhenMoved)
 {
-    Log first(file_);
+    Log first = test::logInto(file_);
     first.line("a");
 
     Log second = std::move(first);
@@ -93,7 +109,7 @@ TEST_F(LogFile, GoesOnWhenMoved)
 
 TEST(Log, SurvivesAFileThatCannotBeOpened)
 {
-    Log log("/nonexistent/folder/log.fpmMesh");
+    Log log = test::logInto("/nonexistent/folder/log.fpmMesh");
 
     EXPECT_NO_THROW(log.line("still here"));
     EXPECT_NO_THROW(log.finish());
@@ -102,7 +118,7 @@ TEST(Log, SurvivesAFileThatCannotBeOpened)
 TEST(Log, SurvivesAFullDisk)
 {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-    Log log("/dev/full");
+    Log log = test::logInto("/dev/full");
 
     EXPECT_NO_THROW(log.line("lost"));
     EXPECT_NO_THROW(log.finish());

@@ -29,6 +29,10 @@ const std::set<std::string> resultsOfRun{"0/fields.vtkhdf",
                                          "5e-05/fields.vtkhdf",
                                          "case.hdf.series",
                                          "case.vtkhdf.series",
+                                         "checkpoint/state.1.h5",
+                                         "checkpoint/state.h5",
+                                         "later/7e-05/fields.vtkhdf",
+                                         "later/why.txt",
                                          "postProcessing/end/0/U.dat",
                                          "postProcessing/performance/0/performance",
                                          "postProcessing/performance/0/performance.json",
@@ -258,20 +262,23 @@ TEST_F(PreviousRun, CopiesAndLinksOfResultsStay)
     EXPECT_EQ(outsidePrevious(), left);
 }
 
-TEST_F(PreviousRun, BehindALinkStaysAndIsReported)
+TEST_F(PreviousRun, BehindALinkIsRefusedBeforeAnythingIsMoved)
 {
-    const TemporaryCase other;
-    fs::rename(folder.root() / "postProcessing", other.root() / "postProcessing");
-    fs::create_directory_symlink(other.root() / "postProcessing", folder.root() / "postProcessing");
+    for (const std::string name : {"postProcessing", "previous"}) {
+        const TemporaryCase other;
+        other.write("postProcessing/tip/0/displacement.dat", "of another");
+        const auto link = folder.root() / name, kept = folder.root() / "kept";
+        if (fs::exists(link)) fs::rename(link, kept);
+        fs::create_directory_symlink(other.root() / "postProcessing", link);
+        for (const std::string mode : {"keep", "remove"})
+            EXPECT_EQ(refusal(mode),
+                      format("'{}' is a link: nothing is written through it", link.string()));
+        fs::remove(link);
+        if (fs::exists(kept)) fs::rename(kept, link);
 
-    const std::string said = clear();
-
-    EXPECT_NE(said.find("warning: postProcessing is a link: tables and pictures of earlier runs "
-                        "stay in it"),
-              said.npos)
-        << said;
-    EXPECT_TRUE(other.has("postProcessing/tip/0/displacement.dat"));
-    EXPECT_FALSE(folder.has("5e-05/fields.vtkhdf"));
+        EXPECT_EQ(other.read("postProcessing/tip/0/displacement.dat"), "of another");
+    }
+    EXPECT_EQ(outsidePrevious(), with(ownAnd(resultsOfRun), "constant/mesh.vtkhdf"));
 }
 
 TEST_F(PreviousRun, TemporariesOfKilledProgramsAreSwept)

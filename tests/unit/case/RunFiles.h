@@ -23,7 +23,7 @@ public:
     {
         Hdf5Image image;
         image.attribute("/fpm", "meshChecksum", checksum);
-        image.save(folder_.root() / "constant/mesh.vtkhdf");
+        image.save(OutputFolder(folder_.root()), "constant/mesh.vtkhdf");
     }
     void frame(const std::string& time, const std::string& mesh = "") const
     {
@@ -31,7 +31,7 @@ public:
         frame.time = std::stod(time);
         frame.runId = runId_;
         frame.meshChecksum = mesh;
-        writeFrame(folder_.root(), time, frame, 8, 1);
+        writeFrame(OutputFolder(folder_.root()), time, frame, 8, 1);
     }
     void marked(const std::string& file) const
     {
@@ -53,11 +53,16 @@ public:
              {"postProcessing/tip/0/displacement.dat", "postProcessing/end/0/U.dat",
               "postProcessing/pictures/mises_0.svg", "postProcessing/plots/tip.svg"})
             marked(file);
+        for (const char* file : {"checkpoint/state.h5", "checkpoint/state.1.h5", "later/why.txt"})
+            folder_.write(file, "of the run");
+        Frame later;
+        later.runId = runId_;
+        writeFrame(OutputFolder(folder_.root()).inner("later"), "7e-05", later, 8, 1);
         PerformanceRecord performance;
         performance.runId = runId_;
         folder_.write(performanceFile, performance.text());
         folder_.write("postProcessing/performance/0/performance.json", "{}");
-        writeSeries(folder_.root(), runId_, times);
+        writeSeries(OutputFolder(folder_.root()), runId_, times);
         status(RunState::finished);
     }
 

@@ -122,7 +122,7 @@ TEST(RunRecord, KeepsTheStatusOfItsRun)
     std::string text;
     Log log = Log::into(text);
 
-    RunRecord record(folder.root(), "keep", log);
+    RunRecord record(OutputFolder(folder.root()), "keep", log);
 
     const std::string id = record.id();
     EXPECT_EQ(text,
@@ -136,6 +136,9 @@ TEST(RunRecord, KeepsTheStatusOfItsRun)
     record.end(RunState::finished, 0.5, 9);
     EXPECT_EQ(describe(*readStatus(folder.root()), folder.root()),
               "run " + id + " finished at time 0.5");
+    record.end(RunState::failed, 0.5, 9, "0.5/a \"frame\"");
+    EXPECT_EQ(describe(*readStatus(folder.root()), folder.root()),
+              "run " + id + " failed at time 0.5: it could not write 0.5/a ?frame?");
 }
 
 } // namespace fpm

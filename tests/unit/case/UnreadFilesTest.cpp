@@ -1,5 +1,6 @@
 #include "case/UnreadFiles.h"
 
+#include "support/logFile.h"
 #include "unit/case/TemporaryCase.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ struct Folder {
     {
         const auto file = folder.root() / "log";
         {
-            Log log(file);
+            Log log = test::logInto(file);
             warnOfUnreadFiles(Case(folder.root()), dictionary, log);
         }
         return (std::ostringstream() << std::ifstream(file).rdbuf()).str();

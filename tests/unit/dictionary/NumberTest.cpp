@@ -10,6 +10,10 @@ TEST(Number, ReadsTheWrittenForms)
 {
     EXPECT_EQ(readNumber("1"), 1.0);
     EXPECT_EQ(readNumber("-0.5"), -0.5);
+    EXPECT_EQ(readNumber(".3"), 0.3);
+    EXPECT_EQ(readNumber("-.3e1"), -3.0);
+    EXPECT_EQ(readNumber("3."), 3.0);
+    EXPECT_EQ(readNumber(".5e-400"), 0.0);
     EXPECT_EQ(readNumber("1."), 1.0);
     EXPECT_EQ(readNumber("1e-3"), 1e-3);
     EXPECT_EQ(readNumber("1.5E+03"), 1500.0);
@@ -20,8 +24,8 @@ TEST(Number, ReadsTheWrittenForms)
 TEST(Number, RefusesWhatOtherReadersTakeDifferently)
 {
     for (const auto* text :
-         {"",     "-",   "+2", ".5", "-.5",  "1e",  "1e+", "1.0.0", "0x10", "nan", "inf",
-          "-inf", "1,5", "1 ", " 1", "10mm", "--1", "+-1", "1e1.5", "1f",   "1d3"})
+         {"",    "-",    "+2",  ".",  "-.", ".e1",  "1e",  "1e+", "1.0.0", "0x10", "nan",
+          "inf", "-inf", "1,5", "1 ", " 1", "10mm", "--1", "+-1", "1e1.5", "1f",   "1d3"})
         EXPECT_EQ(readNumber(text), std::nullopt) << text;
 }
 

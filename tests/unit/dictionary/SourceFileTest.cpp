@@ -133,7 +133,7 @@ TEST_F(Files, ThatAreNoRegularFilesAreRefusedWithoutWaiting)
 
     EXPECT_TRUE(holds(refusal("pipe"), "it is not a regular file"));
     EXPECT_TRUE(holds(refusal("includesPipe"), "it is not a regular file"));
-    EXPECT_TRUE(holds(refusal("includesFolder"), "it is not a regular file"));
+    EXPECT_TRUE(holds(refusal("includesFolder"), "it is a folder"));
     EXPECT_THROW(readConfined("/dev/zero", "/dev", 100), ReadFailure);
 }
 

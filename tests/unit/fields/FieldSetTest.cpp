@@ -56,6 +56,8 @@ TEST(FieldSet, ImagesBringTheStateIntoAnotherSet)
     from.xi.assign({0.25, 0.5});
     from.stiffness.assign({7, 8});
     to.stiffness.assign({1, 2});
+    to.face.resize(2);
+    to.xi.resize(2);
     to.setImages(Role::state, from.images(Role::state));
     EXPECT_EQ(to.face.toHost(), (std::vector<Index>{4, 5}));
     EXPECT_EQ(to.xi.toDoubles(), (std::vector<double>{0.25, 0.5}));
@@ -83,6 +85,7 @@ TEST(FieldSet, OneLineMakesAValueOfAContactorPartOfRenewalAndState)
             renewed.fields()[k]->take(*set.fields()[k], {2, -1}, 3);
     EXPECT_EQ(renewed.wear.toHost(), (std::vector<double>{3, 0}));
     MoreContactors restored(numberTypes<DoublePrecision>());
+    restored.wear.resize(3);
     restored.setImages(Role::state, set.images(Role::state));
     EXPECT_EQ(restored.wear.toHost(), (std::vector<double>{1, 2, 3}));
 }

@@ -24,7 +24,7 @@ void add(const TemporaryFolder& folder,
     frame.meshChecksum = mesh;
     frame.runId = runId;
     frame.nodeFields.push_back({"U", 3, std::vector<double>(24, 0.5)});
-    writeFrame(folder.path(), name, frame, 8, 1);
+    writeFrame(OutputFolder(folder.path()), name, frame, 8, 1);
 }
 
 } // namespace
@@ -100,7 +100,7 @@ TEST(Frames, OfAnOlderVersionAreReadAndRecognised)
     Hdf5Image image;
     image.attribute("/VTKHDF", "Type", "UnstructuredGrid");
     image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
-    image.save(folder / "0.5/fields.vtkhdf");
+    image.save(OutputFolder(folder.path()), "0.5/fields.vtkhdf");
 
     const auto frames = listFrames(folder.path());
 
@@ -114,7 +114,7 @@ TEST(Frames, SeriesIsWrittenUnderBothNames)
 {
     const TemporaryFolder folder;
 
-    writeSeries(folder.path(), "one", {"0", "5e-05"});
+    writeSeries(OutputFolder(folder.path()), "one", {"0", "5e-05"});
 
     const std::string series = readBytes(folder / "case.vtkhdf.series");
     EXPECT_EQ(series,

@@ -1,7 +1,6 @@
 #include "io/Hdf5File.h"
 
 #include "base/Error.h"
-#include "io/AtomicFile.h"
 #include "io/Checksum.h"
 #include "io/Hdf5Handle.h"
 #include "io/Hdf5Seal.h"
@@ -91,7 +90,7 @@ void writeDataset(hid_t file,
 TEST(Hdf5File, ReadsBackWhatWasWritten)
 {
     const TemporaryFolder folder;
-    exampleImage().save(folder / "file.h5");
+    exampleImage().save(OutputFolder(folder.path()), "file.h5");
 
     const Hdf5Reader reader(folder / "file.h5");
 
@@ -117,9 +116,9 @@ TEST(Hdf5File, IsByteIdenticalForEqualContent)
 {
     const TemporaryFolder folder;
 
-    exampleImage().save(folder / "first.h5");
+    exampleImage().save(OutputFolder(folder.path()), "first.h5");
     std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // HDF5 stores whole seconds
-    exampleImage().save(folder / "second.h5");
+    exampleImage().save(OutputFolder(folder.path()), "second.h5");
 
     EXPECT_EQ(readBytes(folder / "first.h5"), readBytes(folder / "second.h5"));
 }
@@ -127,7 +126,7 @@ TEST(Hdf5File, IsByteIdenticalForEqualContent)
 TEST(Hdf5File, OpensInOtherProgramsDespiteItsChecksum)
 {
     const TemporaryFolder folder;
-    exampleImage().save(folder / "file.h5");
+    exampleImage().save(OutputFolder(folder.path()), "file.h5");
 
     const hid_t file = H5Fopen((folder / "file.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 
@@ -164,7 +163,7 @@ TEST(Hdf5File, RefusesEveryTruncation)
 {
     const TemporaryFolder folder;
     const auto file = folder / "file.h5";
-    exampleImage().save(file);
+    exampleImage().save(OutputFolder(file.parent_path()), file.filename().string());
     EXPECT_TRUE(hdf5Label(file));
 
     for (std::size_t length = std::filesystem::file_size(file); length-- > 0;) {
@@ -178,7 +177,7 @@ TEST(Hdf5File, RefusesAChangeOfAnyByte)
 {
     const TemporaryFolder folder;
     const auto file = folder / "file.h5";
-    exampleImage().save(file);
+    exampleImage().save(OutputFolder(file.parent_path()), file.filename().string());
     const std::string bytes = readBytes(file);
 
     for (std::size_t place = 0; place < bytes.size(); ++place) {
@@ -192,7 +191,7 @@ TEST(Hdf5File, RefusesAChangeOfAnyByte)
 TEST(Hdf5File, TakesNoIntegersFromNumbers)
 {
     const TemporaryFolder folder;
-    exampleImage().save(folder / "file.h5");
+    exampleImage().save(OutputFolder(folder.path()), "file.h5");
     const Hdf5Reader reader(folder / "file.h5");
 
     EXPECT_NE(refusal([&] { reader.integers("/a/b/doubles"); }), "");
@@ -206,11 +205,11 @@ TEST(Hdf5File, TakesNoIntegersFromNumbers)
 TEST(Hdf5File, DoesNotFollowLinks)
 {
     const TemporaryFolder folder;
-    exampleImage().save(folder / "target.h5");
+    exampleImage().save(OutputFolder(folder.path()), "target.h5");
     Hdf5Image image;
     image.link("/outside", "target.h5", "/a");
     image.link("/group/doubles", "target.h5", "/a/b/doubles");
-    image.save(folder / "file.h5");
+    image.save(OutputFolder(folder.path()), "file.h5");
     const auto soft = craftedFile(folder, [](hid_t file) {
         writeDataset(file, H5T_IEEE_F64LE, {0});
         H5Lcreate_soft("/data", file, "/soft", H5P_DEFAULT, H5P_DEFAULT);
@@ -274,7 +273,7 @@ TEST(Hdf5File, RefusesOtherTypesAndStorage)
 TEST(Hdf5File, RefusesVirtualAndCompactStorage)
 {
     const TemporaryFolder folder;
-    exampleImage().save(folder / "source.h5");
+    exampleImage().save(OutputFolder(folder.path()), "source.h5");
     const hsize_t length = 2;
     const hid_t space = H5Screate_simple(1, &length, nullptr);
     const hid_t elsewhere = H5Pcreate(H5P_DATASET_CREATE), compact = H5Pcreate(H5P_DATASET_CREATE);
@@ -368,7 +367,7 @@ TEST(Hdf5File, ReadsArraysLongerThanABlock)
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(i);
     Hdf5Image image;
     image.write("/a", std::span<const float>(values));
-    image.save(folder / "file.h5");
+    image.save(OutputFolder(folder.path()), "file.h5");
 
     const auto read = Hdf5Reader(folder / "file.h5").doubles("/a");
 
@@ -380,14 +379,14 @@ TEST(Hdf5File, CarriesALabelThatIsReadWithoutOpeningIt)
     const TemporaryFolder folder;
     Hdf5Image image;
     image.write("/a", std::array<double, 1>{2.5});
-    image.save(folder / "plain");
-    image.save(folder / "labelled", "fpm run one a mesh 0");
+    image.save(OutputFolder(folder.path()), "plain");
+    image.save(OutputFolder(folder.path()), "labelled", "fpm run one a mesh 0");
 
     EXPECT_EQ(hdf5Label(folder / "plain"), "");
     EXPECT_EQ(hdf5Label(folder / "labelled"), "fpm run one a mesh 0");
     EXPECT_EQ(Hdf5Reader(folder / "labelled").doubles("/a"), std::vector<double>{2.5});
     EXPECT_FALSE(hdf5Label(folder / "none"));
-    EXPECT_THROW(image.save(folder / "long", std::string(256, 'x')), Error);
+    EXPECT_THROW(image.save(OutputFolder(folder.path()), "long", std::string(256, 'x')), Error);
 
     std::string bytes = readBytes(folder / "labelled");
     bytes[bytes.size() - 20] ^= 1; // in the label

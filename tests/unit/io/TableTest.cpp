@@ -1,6 +1,7 @@
 #include "io/Table.h"
 
 #include "base/Error.h"
+#include "io/HistoryFile.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -97,41 +98,20 @@ TEST(Table, ReadsBackTheSameNumbers)
     const Table table{{"a", "b"}, {{0.1, 1.0 / 3}, {-5e-324, 1.7976931348623157e308}}};
 
     for (const std::string name : {"t.dat", "t.csv"}) {
-        writeTable(folder / name, table);
+        writeTable(OutputFolder(folder.path()), name, table);
         const Table back = readTable(folder / name);
         EXPECT_EQ(back.columns, table.columns);
         EXPECT_EQ(back.rows, table.rows);
     }
 }
 
-TEST(HistoryFile, CanBeReadWhileItGrows)
-{
-    const TemporaryFolder folder;
-    HistoryFile history(folder / "a/b/displacement.dat", {"time", "ux"});
-
-    history.append({0.0, 0.1});
-    history.append(std::vector<double>{1e-6, -0.25});
-
-    EXPECT_EQ(readBytes(folder / "a/b/displacement.dat"), "# time ux\n0 0.1\n1e-06 -0.25\n");
-    EXPECT_EQ(readTable(folder / "a/b/displacement.dat").rows.size(), 2U);
-}
-
-TEST(HistoryFile, RefusesRowsOfAnotherLengthAndMissingFolders)
-{
-    const TemporaryFolder folder;
-    HistoryFile history(folder / "a.dat", {"time", "ux"});
-    writeBytes(folder / "file", "");
-
-    EXPECT_THROW(history.append({1.0}), Error);
-    EXPECT_THROW(HistoryFile(folder / "file/b.dat", {"time"}), Error);
-}
-
 TEST(Table, KeepsTheNotesAboveItsColumns)
 {
     const TemporaryFolder folder;
-    HistoryFile(folder / "a.dat", {"time", "ux"}, {"fpm run one a.dat", "units: s mm"})
+    HistoryFile(OutputFolder(folder.path()), "a.dat", {"time", "ux"},
+                {"fpm run one a.dat", "units: s mm"})
         .append({0.5, 1.0});
-    writeTable(folder / "b.csv", {{"t", "u"}, {{1, 2}}, {"a note"}});
+    writeTable(OutputFolder(folder.path()), "b.csv", {{"t", "u"}, {{1, 2}}, {"a note"}});
 
     const Table dat = readTable(folder / "a.dat"), csv = readTable(folder / "b.csv");
 

@@ -34,7 +34,7 @@ void writeMeshOf(const std::filesystem::path& root, const std::string& label = "
     Hdf5Image image;
     writeGrid(image, cube, oneCell);
     image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
-    image.save(root / "constant" / "mesh.vtkhdf", label);
+    image.save(OutputFolder(root), "constant/mesh.vtkhdf", label);
 }
 
 } // namespace
@@ -80,7 +80,7 @@ TEST(VtkHdf, ReadsBackAFrame)
     const TemporaryFolder folder;
     writeMeshOf(folder.path());
 
-    writeFrame(folder.path(), "0.00015", exampleFrame(1.5e-4), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0.00015", exampleFrame(1.5e-4), 8, 1);
     const Frame frame = readFrame(folder / "0.00015/fields.vtkhdf", meshOfFrames);
 
     EXPECT_EQ(frame.time, 1.5e-4);
@@ -113,7 +113,7 @@ TEST(VtkHdf, AFrameShowsTheNumbersOfTheMeshAndHoldsNoneItself)
     const TemporaryFolder folder;
     writeMeshOf(folder.path(), "ids mesh 0123456789abcdef");
 
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
 
     const auto file = folder / "0/fields.vtkhdf";
     EXPECT_EQ(linkAt(file, "/VTKHDF/PointData/NodeId"), H5L_TYPE_EXTERNAL);
@@ -129,7 +129,7 @@ TEST(VtkHdf, AFrameOfAnOlderMeshWithoutNumbersHasNoLinksIntoTheVoid)
     const TemporaryFolder folder;
     writeMeshOf(folder.path()); // no label
 
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
 
     EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/PointData/NodeId"), H5L_TYPE_ERROR);
     EXPECT_EQ(linkAt(folder / "0/fields.vtkhdf", "/VTKHDF/CellData/ElementId"), H5L_TYPE_ERROR);
@@ -141,7 +141,7 @@ TEST(VtkHdf, RefusesFieldsOfTheWrongLength)
     Frame frame = exampleFrame(0);
     frame.nodeFields[0].values.pop_back();
 
-    EXPECT_THROW(writeFrame(folder.path(), "0", frame, 8, 1), Error);
+    EXPECT_THROW(writeFrame(OutputFolder(folder.path()), "0", frame, 8, 1), Error);
     EXPECT_FALSE(std::filesystem::exists(folder / "0/fields.vtkhdf"));
 }
 
@@ -149,7 +149,7 @@ TEST(VtkHdf, RefusesADamagedFrame)
 {
     const TemporaryFolder folder;
     writeMeshOf(folder.path());
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
     EXPECT_NO_THROW(readFrame(folder / "0/fields.vtkhdf", meshOfFrames));
     std::string bytes = readBytes(folder / "0/fields.vtkhdf");
     bytes[bytes.size() / 2] ^= 4;
@@ -162,7 +162,7 @@ TEST(VtkHdf, RefusesAFrameOfAnotherMesh)
 {
     const TemporaryFolder folder;
     writeMeshOf(folder.path());
-    writeFrame(folder.path(), "0", exampleFrame(0), 8, 1);
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
     const auto file = folder / "0/fields.vtkhdf";
 
     EXPECT_NO_THROW(readFrame(file, meshOfFrames));
@@ -181,7 +181,7 @@ TEST(VtkHdf, RefusesAFrameWhoseLabelNamesAnotherRunOrMesh)
         image.attribute("/fpm", "elementCount", std::array<std::int64_t, 1>{1});
         image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
         image.attribute("/fpm", "runId", "one");
-        image.save(folder / "frame", label);
+        image.save(OutputFolder(folder.path()), "frame", label);
         try {
             readFrame(folder / "frame", meshOfFrames);
         } catch (const Error& error) {

@@ -64,9 +64,9 @@ void expectEqual(const Mesh& a, const Mesh& b)
 std::string refusal(const Mesh& mesh)
 {
     const TemporaryFolder folder;
-    writeMesh(folder / "mesh.vtkhdf", mesh);
+    writeMesh(OutputFolder(folder.path()), mesh);
     try {
-        readMesh(folder / "mesh.vtkhdf");
+        readMesh(folder / meshFile);
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::mesh);
         return error.what();
@@ -89,17 +89,17 @@ TEST(MeshFile, ReadsBackWhatWasWritten)
     const TemporaryFolder folder;
     const Mesh mesh = exampleMesh();
 
-    writeMesh(folder / "constant/mesh.vtkhdf", mesh);
+    writeMesh(OutputFolder(folder.path()), mesh);
 
-    expectEqual(readMesh(folder / "constant/mesh.vtkhdf"), mesh);
+    expectEqual(readMesh(folder / meshFile), mesh);
 }
 
 TEST(MeshFile, ShowsPartAndPatchInParaView)
 {
     const TemporaryFolder folder;
-    writeMesh(folder / "mesh.vtkhdf", exampleMesh());
+    writeMesh(OutputFolder(folder.path()), exampleMesh());
 
-    const Hdf5Reader reader(folder / "mesh.vtkhdf");
+    const Hdf5Reader reader(folder / meshFile);
 
     const auto parts = reader.integers("/VTKHDF/CellData/Part");
     EXPECT_EQ(parts.size(), 16U);
@@ -112,9 +112,9 @@ TEST(MeshFile, ShowsTheNumbersOfMessagesInParaView)
 {
     const TemporaryFolder folder;
     const Mesh mesh = exampleMesh();
-    writeMesh(folder / "constant/mesh.vtkhdf", mesh);
+    writeMesh(OutputFolder(folder.path()), mesh);
 
-    const Hdf5Reader reader(folder / "constant/mesh.vtkhdf");
+    const Hdf5Reader reader(folder / meshFile);
 
     const auto nodes = reader.integers("/VTKHDF/PointData/NodeId");
     const auto elements = reader.integers("/VTKHDF/CellData/ElementId");
@@ -192,9 +192,9 @@ public:
         image_.attribute("/fpm/contact", "key", "");
         image_.write("/fpm/parts/box", std::span<const Index>(part));
         image_.write("/fpm/patchStarts", std::span<const Index>(patchStarts));
-        image_.save(folder / "mesh.vtkhdf");
+        image_.save(OutputFolder(folder.path()), meshFile);
         try {
-            readMesh(folder / "mesh.vtkhdf");
+            readMesh(folder / meshFile);
         } catch (const Error& error) {
             return error.what();
         }
@@ -232,8 +232,8 @@ TEST(MeshFile, RefusesCountsVersionsAndChecksumsThatLie)
 TEST(MeshFile, RefusesEveryTruncation)
 {
     const TemporaryFolder folder;
-    const auto file = folder / "mesh.vtkhdf";
-    writeMesh(file, exampleMesh());
+    const auto file = folder / meshFile;
+    writeMesh(OutputFolder(folder.path()), exampleMesh());
 
     for (std::size_t length = std::filesystem::file_size(file); length-- > 0;) {
         std::filesystem::resize_file(file, length);
@@ -244,8 +244,8 @@ TEST(MeshFile, RefusesEveryTruncation)
 TEST(MeshFile, RefusesDamagedBytes)
 {
     const TemporaryFolder folder;
-    const auto file = folder / "mesh.vtkhdf";
-    writeMesh(file, exampleMesh());
+    const auto file = folder / meshFile;
+    writeMesh(OutputFolder(folder.path()), exampleMesh());
     const std::string bytes = test::readBytes(file);
     std::mt19937 random(11);
 
@@ -261,8 +261,8 @@ TEST(MeshFile, RefusesDamagedBytes)
 TEST(MeshFile, RefusesALabelOfAnotherChecksum)
 {
     const TemporaryFolder folder;
-    const auto file = folder / "mesh.vtkhdf";
-    writeMesh(file, exampleMesh());
+    const auto file = folder / meshFile;
+    writeMesh(OutputFolder(folder.path()), exampleMesh());
     std::string bytes = test::readBytes(file);
     bytes.resize(bytes.size() - sizeof(hdf5::Seal));
     bytes.back() = bytes.back() == '0' ? '1' : '0'; // the last digit of the label

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "support/TemporaryFolder.h"
 #include "support/boxMesh.h"
+#include "support/logFile.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ std::string warnings(const Mesh& mesh)
 {
     const test::TemporaryFolder folder;
     {
-        Log log(folder / "log");
+        Log log = test::logInto(folder / "log");
         checkMesh(mesh, "meshDict", log);
     }
     return test::readBytes(folder / "log");

@@ -1,5 +1,6 @@
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
+#include "support/logFile.h"
 #include "unit/mesher/mesherCase.h"
 
 #include <gtest/gtest.h>
@@ -193,7 +194,7 @@ TEST(HollowCylinder, NumbersItsElementsWithZetaOutward)
 TEST(HollowCylinder, NamesNoPlacesOfGmsh)
 {
     MesherCase folder;
-    Log log(folder / "log");
+    Log log = test::logInto(folder / "log");
     makeMesh(Dictionary::parse("bodies { die { type hollowCylinder; base (0 0 100); axis y; "
                                "innerRadius 45; outerRadius 50; height 100; sector quarter; "
                                "startAngle 90; circumferential 16; radial 1; axial 10; } }",

@@ -2,6 +2,7 @@
 
 #include "mesher/Mesher.h"
 #include "support/TemporaryFolder.h"
+#include "support/logFile.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,7 +34,7 @@ public:
     std::string said(const std::string& meshDict) const
     {
         {
-            Log log(folder_ / "log");
+            Log log = test::logInto(folder_ / "log");
             makeMesh(Dictionary::parse(meshDict, "meshDict"), Case(folder_.path()), false, log);
         }
         return readBytes(folder_ / "log");

@@ -46,7 +46,7 @@ public:
         std::filesystem::create_directories((root_ / relative).parent_path());
         std::ofstream(root_ / relative) << text;
     }
-    void write(const Mesh& mesh) const { writeMesh(root_ / "constant/mesh.vtkhdf", mesh); }
+    void write(const Mesh& mesh) const { writeMesh(OutputFolder(root_), mesh); }
     /// Copies every file below `source`, over those that are there.
     void overlay(const std::filesystem::path& source) const
     {

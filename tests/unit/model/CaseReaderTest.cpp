@@ -1,5 +1,6 @@
 #include "model/CaseReader.h"
 
+#include "support/logFile.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
 
@@ -69,12 +70,12 @@ TEST(CaseReader, AcceptsSteelAndQuestionsADensityInOtherUnits)
 {
     const test::CaseFolder folder;
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkUnits({steel(7.85e-9)}, {"mm", "tonne", "s"}, log);
     }
     EXPECT_EQ(folder.logText(), "");
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkUnits({steel(7850)}, {"mm", "tonne", "s"}, log);
     }
     EXPECT_TRUE(contains(folder.logText(), "warning: part 'rod': its wave speed would be 0.006"));
@@ -87,21 +88,21 @@ TEST(CaseReader, QuestionsADensityThatCancelsInTheWaveSpeed)
     Part part = steel(7.85e-6);
     part.youngsModulus *= 1000;
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkUnits({part}, {"mm", "tonne", "s"}, log);
     }
     EXPECT_TRUE(contains(folder.logText(), "warning: part 'rod': its density would be 7.85e+06"));
     for (const double density : {2e-12, 2.3e-8}) { // aerogel, osmium
         part.density = density;
         part.youngsModulus = density * 1e12;
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkUnits({part}, {"mm", "tonne", "s"}, log);
         EXPECT_EQ(folder.logText(), "") << density;
     }
     // A rigid part has no wave speed, but a density.
     part.kind = PartKind::rigidFree;
     part.density = 7850;
-    Log log(folder.logFile());
+    Log log = test::logInto(folder.logFile());
     checkUnits({part}, {"mm", "tonne", "s"}, log);
     EXPECT_TRUE(contains(folder.logText(), "its density would be 7.85e+15"));
 }
@@ -119,7 +120,7 @@ TEST(CaseReader, QuestionsGravityInOtherUnits)
         BoundaryCondition force = gravity; // of any size
         force.kind = BoundaryCondition::Kind::force;
         force.value = {1e9, 0, 0};
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkGravity({force, gravity}, units, log);
         return folder.logText();
     };

@@ -2,6 +2,7 @@
 
 #include "mesh/Surface.h"
 #include "model/ContactReport.h"
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -31,7 +32,7 @@ struct Workshop {
     void run(const std::string& contactDict)
     {
         folder.write("system/contactDict", contactDict);
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         setContact(mesh, folder.open().dictionary("system/contactDict"), folder.open(), log);
     }
 };

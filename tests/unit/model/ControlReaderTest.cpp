@@ -1,5 +1,6 @@
 #include "model/ControlReader.h"
 
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -120,7 +121,7 @@ TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
 {
     const test::CaseFolder folder;
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         readControl(Dictionary::parse("application fpmExplicit; startFrom startTime; startTime 0; "
                                       "stopAt endTime; endTime 1; writeControl runTime; "
                                       "writeFormat ascii; timePrecision 6; purgeWrite 0;"),
@@ -132,17 +133,48 @@ TEST(ControlReader, NamesTheKeysOfOpenFoamThatHaveNoEffect)
 
 TEST(ControlReader, RefusesValuesItCouldNotHonour)
 {
-    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startFrom latestTime;"); }),
-                         "every run starts at time 0"));
-    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startTime 0.5;"); }), "starts at time 0"));
-    EXPECT_TRUE(contains(refusal([] { read("endTime 1; purgeWrite 3;"); }), "every frame is kept"));
-    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl timeStep;"); }), "runTime"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startFrom firstTime;"); }), "latestTime"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; startFrom -2;"); }), ">= 0"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; stopAt now;"); }), "noWriteNow"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl cpuTime;"); }), "clockTime"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl timeStep;"); }),
+                         "writeInterval"));
+    EXPECT_TRUE(contains(refusal([] { read("endTime 1; checkpoint { keep -1; }"); }), "keep"));
     for (const char* step : {"deltaT 1e-8;", "adjustTimeStep yes;", "maxCo 0.5;"})
         EXPECT_TRUE(contains(refusal([&] { read("endTime 1; " + std::string(step)); }),
                              "the time step follows from stability"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeInterval 1e-20;"); }), "1e+20 frames"));
     EXPECT_TRUE(
         contains(refusal([] { read("endTime 1e9; historyInterval 1e-9;"); }), "historyInterval 0"));
+}
+
+TEST(ControlReader, StartsFromTheBeginningACheckpointOrTheLatest)
+{
+    EXPECT_FALSE(read("endTime 1;").latest);
+    EXPECT_EQ(read("endTime 1;").startTime, 0);
+    EXPECT_TRUE(read("endTime 1; startFrom latestTime;").latest);
+    EXPECT_EQ(read("endTime 1; startFrom startTime; startTime 0.5;").startTime, 0.5);
+    EXPECT_EQ(read("endTime 1; startFrom 0.25;").startTime, 0.25);
+}
+
+TEST(ControlReader, ReadsWhenToWriteAndWhenToStop)
+{
+    const Control preset = read("endTime 1;");
+    EXPECT_EQ(preset.checkpoint, (CheckpointControl{600, 0, 2}));
+    EXPECT_EQ(preset.stopAt, StopAt::endTime);
+    EXPECT_FALSE(preset.runTimeModifiable);
+    const Control given = read("endTime 1; stopAt nextWrite; maxWallTime 3600; runTimeModifiable "
+                               "yes; writeControl timeStep; writeInterval 100; purgeWrite 3; "
+                               "checkpoint { wallInterval 60; steps 1000; keep 5; }");
+    EXPECT_EQ(given.stopAt, StopAt::nextWrite);
+    EXPECT_EQ(given.maxWallTime, 3600);
+    EXPECT_TRUE(given.runTimeModifiable);
+    EXPECT_EQ(given.writeControl, WriteControl::timeStep);
+    EXPECT_EQ(given.writeInterval, 100);
+    EXPECT_EQ(given.purgeWrite, 3);
+    EXPECT_EQ(given.checkpoint, (CheckpointControl{60, 1000, 5}));
+    EXPECT_EQ(read("endTime 1; writeControl adjustableRunTime;").writeControl,
+              WriteControl::runTime);
 }
 
 TEST(ControlReader, RefusesTimesAndLimitsOutOfRange)
@@ -172,7 +204,8 @@ TEST(HistoryReader, RecordsTheNodeNearestToAPoint)
 TEST(HistoryReader, WarnsOfAPointFarFromItsPart)
 {
     const test::CaseFolder folder;
-    readFunctions("tip { type point; part rod; position (5 0 0); }", Log(folder.logFile()));
+    readFunctions("tip { type point; part rod; position (5 0 0); }",
+                  test::logInto(folder.logFile()));
 
     EXPECT_TRUE(contains(folder.logText(), "node 1 at (1 0 0), 4 from the requested position"));
     EXPECT_TRUE(contains(folder.logText(), "warning: history tip"));

@@ -1,6 +1,7 @@
 #include "model/MotionCheck.h"
 
 #include "model/BoundaryReader.h"
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -102,7 +103,7 @@ TEST(MotionCheck, TellsWhereAnInitialVelocityHasNoEffect)
     const test::CaseFolder folder;
     const auto boundary = Dictionary::parse("edges { type fixed; set block.zMin; }");
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         checkMotions(modelOf(boundary, "fall { type velocity; part block; value (0 0 -3); }",
                              PartKind::elastic),
                      boundary, log);

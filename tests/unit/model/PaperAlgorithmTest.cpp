@@ -2,6 +2,7 @@
 
 #include "model/ContactSetup.h"
 #include "model/readModel.h"
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -36,7 +37,7 @@ struct RodCase {
     }
     Model read() const
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         return readModel(folder.open(), log);
     }
 };

@@ -3,6 +3,7 @@
 #include "model/ContactSetup.h"
 #include "model/SurfaceReport.h"
 #include "model/readModel.h"
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -104,7 +105,7 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
                                             "youngsModulus 210000; poissonsRatio 0.3; } }");
     Mesh mesh = test::boxMesh({{"box", {0, 0, 0}, {2, 2, 2}, {2, 2, 2}}});
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         setContact(mesh, folder.open().dictionary("system/contactDict"), folder.open(), log);
     }
     EXPECT_TRUE(contains(folder.logText(), "pair onWall: 26 contactor nodes (area 24), target: "

@@ -1,6 +1,7 @@
 #include "model/readModel.h"
 
 #include "model/ContactSetup.h"
+#include "support/logFile.h"
 #include "unit/model/BoxMesh.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/model/Refusal.h"
@@ -33,7 +34,7 @@ void writeCase(const test::CaseFolder& folder)
 
 Model read(const test::CaseFolder& folder)
 {
-    Log log(folder.logFile());
+    Log log = test::logInto(folder.logFile());
     return readModel(folder.open(), log);
 }
 

@@ -28,7 +28,7 @@ protected:
         test::addBox(mesh, "bar", {2, 1, 1}, {0, 0, 0}, {2, 1, 1});
         mesh.patchStarts = {0, 2};
         mesh.sideSets["end"] = {{1, 1}};
-        writeMesh(folder / "constant/mesh.vtkhdf", mesh);
+        writeMesh(OutputFolder(folder.path()), mesh);
     }
 
     void addFrame(const std::string& name, double time, const std::string& runId = "")
@@ -41,7 +41,8 @@ protected:
             displacement.values.insert(displacement.values.end(), {0, 0, 2e3 * time});
         frame.nodeFields = {displacement};
         frame.elementFields = {{"Mises", 1, {100, 200}}};
-        writeFrame(folder.path(), name, frame, mesh.points.size(), mesh.hexahedra.size());
+        writeFrame(OutputFolder(folder.path()), name, frame, mesh.points.size(),
+                   mesh.hexahedra.size());
     }
 
     std::vector<std::string> run(const std::string& text, const ProbeSelection& selection = {})
@@ -182,7 +183,7 @@ TEST_F(ProbeCase, DrawsNoFramesOfAnotherMesh)
     test::addBox(finer, "bar", {4, 1, 1}, {0, 0, 0}, {2, 1, 1});
     finer.patchStarts = {0, 4};
     finer.sideSets["end"] = {{3, 1}};
-    writeMesh(folder / "constant/mesh.vtkhdf", finer);
+    writeMesh(OutputFolder(folder.path()), finer);
 
     EXPECT_TRUE(run("pictures { last { field Mises; } }" + table).empty());
     EXPECT_NE(said.find("warning: left out: 1 frames of another mesh than constant/mesh.vtkhdf, at "

@@ -54,7 +54,8 @@ TEST(Histories, ReactionHistoriesHaveTravelAndTheForceOfTheWhole)
     const double force = solver->contact().force(1).force[2];
     EXPECT_GT(force, 0);
     {
-        Histories histories(folder.path(), model);
+        Log log = Log::quiet();
+        Histories histories(OutputFolder(folder.path()), model, "", {}, log);
         histories.sample(*solver, Sample(*solver, model));
     }
     const auto wallRow = tableOf(folder.path() / "postProcessing/wall/0/reaction.dat").back();

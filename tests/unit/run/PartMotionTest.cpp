@@ -153,7 +153,8 @@ TEST(PartMotion, IsAHistoryWithUnits)
     model.control.histories = {history};
     const auto solver = startedSolver(model);
     const TemporaryFolder folder;
-    Histories histories(folder.path(), model);
+    Log log = Log::quiet();
+    Histories histories(OutputFolder(folder.path()), model, "", {}, log);
     histories.sample(*solver, Sample(*solver, model));
     const auto file = folder / "postProcessing/block/0/part.dat";
     const Table table = readTable(file);

@@ -2,6 +2,7 @@
 
 #include "run/StepSetters.h"
 #include "run/resultFrame.h"
+#include "support/logFile.h"
 #include "unit/model/CaseFolder.h"
 #include "unit/solver/scenes.h"
 
@@ -33,7 +34,7 @@ std::string report(const RunForecast& forecast, double aStep)
 {
     const CaseFolder folder;
     {
-        Log log(folder.logFile());
+        Log log = test::logInto(folder.logFile());
         reportForecast(forecast, aStep, log);
     }
     return folder.logText();
@@ -64,8 +65,8 @@ TEST(RunForecast, KnowsTheSizeOfAFrame)
     const CaseFolder folder;
     folder.write(model.mesh);
     const auto solver = startedSolver(model);
-    writeFrame(folder.root(), "0", resultFrame(*solver, model), model.mesh.points.size(),
-               model.mesh.hexahedra.size());
+    writeFrame(OutputFolder(folder.root()), "0", resultFrame(*solver, model),
+               model.mesh.points.size(), model.mesh.hexahedra.size());
     const double file = double(std::filesystem::file_size(folder.root() / "0/fields.vtkhdf"));
     const double forecast = forecastOf(model, 1e-7).frameBytes; // in blocks, with the folder's own
     EXPECT_GT(forecast, file);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace fpm::test {
 namespace {
 
@@ -34,10 +36,10 @@ void goesOnWithTheSameBits(const Model& model, bool audit = false, std::int64_t 
     whole->start();
     whole->advance(1, steps);
     EXPECT_GT(whole->contact().force(0).active, 0);
-    const std::vector<FieldSet::Images> state = whole->fields().state();
+    const std::vector<FieldSet::Images> state = whole->state();
     whole->advance(1, 60);
     const auto resumed = makeSolver(model, audit);
-    resumed->fields().restore(state);
+    resumed->restore(state);
     EXPECT_EQ(resumed->clock().steps, steps);
     resumed->advance(1, 60);
 
@@ -114,13 +116,51 @@ TEST(State, OfGeneralContactOverEdgesIsWhole)
     goesOnWithTheSameBits(model);
 }
 
+/// Surfaces that deletions have renewed are made anew before they are given their values.
+TEST(State, OfSurfacesThatErodeIsWhole)
+{
+    for (const bool half : {false, true}) {
+        const Model model = punch(half, 0.3);
+        const auto solver = startedSolver(model);
+        solver->advance(1, 220);
+        EXPECT_GE(std::ranges::count(solver->elements().values().deleted, true), 8);
+        goesOnWithTheSameBits(model, false, 220);
+    }
+}
+
+/// Whatever the width of the vectors and the number of threads are.
+TEST(State, GoesOnElsewhere)
+{
+    const Model model = impact();
+    const auto whole = startedSolver(model);
+    whole->advance(1, 150);
+    const std::vector<FieldSet::Images> state = whole->state();
+    whole->advance(1, 60);
+    for (const std::string simd : {"scalar", "avx2", "avx512"})
+        for (const int threads : {1, 3}) {
+            Model other = model;
+            other.control.backend = "openmp";
+            other.control.simd = simd;
+            other.control.threads = threads;
+            try {
+                const auto resumed = makeSolver(other);
+                resumed->restore(state);
+                resumed->advance(1, 60);
+                EXPECT_EQ(stateChecksum(*resumed), stateChecksum(*whole)) << simd << threads;
+                EXPECT_EQ(resumed->times().steps, 60);
+            } catch (const Error& error) { // a processor without these vectors
+                EXPECT_EQ(error.code(), ExitCode::device) << error.what();
+            }
+        }
+}
+
 /// Without one field of it a run ends otherwise: the tests above would see what is not stored.
 void needs(const Model& model, const std::vector<std::string>& fields)
 {
     const auto whole = makeSolver(model);
     whole->start();
     whole->advance(1, 150);
-    const std::vector<FieldSet::Images> state = whole->fields().state();
+    const std::vector<FieldSet::Images> state = whole->state();
     whole->advance(1, 60);
     const Outcome expected = outcomeOf(*whole, model);
     for (const std::string& name : fields) {
@@ -129,7 +169,7 @@ void needs(const Model& model, const std::vector<std::string>& fields)
             for (auto& [field, image] : set)
                 if (field == name) std::fill(image.begin(), image.end(), std::byte(0xff));
         const auto resumed = makeSolver(model);
-        resumed->fields().restore(without);
+        resumed->restore(without);
         resumed->advance(1, 60);
         const Outcome found = outcomeOf(*resumed, model);
         EXPECT_FALSE(found.checksum == expected.checksum
@@ -143,7 +183,25 @@ void needs(const Model& model, const std::vector<std::string>& fields)
 TEST(State, HasNoIdleFields)
 {
     needs(impact(), {"velocity", "state", "plasticStrain", "partialForce", "interiorForce",
-                     "patchEnergy", "sum", "face", "friction", "dissipated", "startEnergy"});
+                     "patchEnergy", "sum", "face", "tangentialForce", "dissipated", "startEnergy"});
+}
+
+/// Where the host comes back, by the clock on the wall, say, changes nothing; and a pause is met at
+/// the first step at or after its time, however many steps were asked for.
+TEST(State, DoesNotDependOnPauses)
+{
+    const Model model = impact();
+    const auto whole = startedSolver(model), parts = startedSolver(model);
+    whole->advance(1, 150);
+    const double time = whole->clock().time;
+    while (parts->clock().time < time) {
+        Pause pause;
+        pause.at = time;
+        pause.goesOn = [](const StepClock& now) { return now.steps % 3 == 0; };
+        parts->advance(1, 100000, pause);
+    }
+    EXPECT_EQ(parts->clock().steps, 150);
+    EXPECT_EQ(stateChecksum(*parts), stateChecksum(*whole));
 }
 
 TEST(State, IsRefusedByAnotherModel)
@@ -151,7 +209,7 @@ TEST(State, IsRefusedByAnotherModel)
     const auto solver = makeSolver(impact());
     Model without = impact();
     without.contactPairs.clear();
-    EXPECT_THROW(makeSolver(without)->fields().restore(solver->fields().state()), Error);
+    EXPECT_THROW(makeSolver(without)->restore(solver->state()), Error);
 }
 
 } // namespace

@@ -58,4 +58,38 @@ inline Model closingFold()
     return model;
 }
 
+/// A stiff stamp through a soft plate, in a plane x = 0 of mirror symmetry: whole, or its half
+/// x >= 0.
+inline Model punch(bool half, double friction)
+{
+    Model model;
+    const Index sides = half ? 1 : 2;
+    const auto low = [&](double width) { return half ? 0 : -width; };
+    addBox(model.mesh, "plate", {3 * sides, 6, 2}, {low(3), -3, -1}, {3.0 * sides, 6, 1});
+    addBox(model.mesh, "stamp", {2 * sides, 3, 4}, {low(1.3), -0.9, 0.01}, {1.3 * sides, 1.8, 4});
+    renumber(model.mesh, 32);
+    Part soft = aluminium(PartKind::elastoplastic, HourglassForm::stiffness, "plate");
+    soft.erosion.plasticStrain = 0.3;
+    Part stiff = aluminium(PartKind::elastic, HourglassForm::stiffness, "stamp");
+    stiff.youngsModulus = 210000;
+    stiff.density = 7.85e-9;
+    model.parts = {soft, stiff};
+    holdFixed(model, nodesWhere(model.mesh, [](Point p) {
+                  return std::max(std::abs(p[0]), std::abs(p[1])) > 2.99;
+              }));
+    if (half) {
+        model.boundaryConditions.push_back(condition(
+            BoundaryCondition::Kind::fixed, "mirror",
+            nodesWhere(model.mesh, [](Point p) { return p[0] == 0; }), {true, false, false}));
+        model.boundaryConditions.back().mirror = true;
+    }
+    model.initialVelocities.push_back({"fall", nodesOfPart(model.mesh, "stamp"), {0, 0, -4e5}});
+    addContact(model, "touch", facing(model.mesh, "stamp", {0, 0, -1}),
+               facing(model.mesh, "plate", {0, 0, 1}))
+        .friction = friction;
+    model.control.backend = "serial";
+    model.control.endTime = 1;
+    return model;
+}
+
 } // namespace fpm::test

@@ -59,7 +59,8 @@ TEST(StabilityMap, FailsBeyondTheEigenvalueAndNowhereThatIsPredictedStable)
 
 TEST(StabilityMap, GoesOnWhereItStoppedAndComesOutTheSame)
 {
-    const auto file = std::filesystem::temp_directory_path() / "fpmStabilityMapTest.dat";
+    const test::TemporaryFolder folder;
+    const auto file = folder / "map.dat";
     const MapSpec spec = stepMap();
     const std::string key = mapKey(spec, "");
     StabilityMap whole = emptyMap(spec);
@@ -70,7 +71,7 @@ TEST(StabilityMap, GoesOnWhereItStoppedAndComesOutTheSame)
     int saved = 0;
     EXPECT_THROW(completeMap(part, sceneOf("twoBars"), 1,
                              [&] {
-                                 writeMap(file, part, key);
+                                 writeMap(OutputFolder(folder.path()), "map.dat", part, key);
                                  if (++saved == 7) throw Killed{}; // three rows, four points
                              }),
                  Killed);
@@ -94,7 +95,6 @@ TEST(StabilityMap, GoesOnWhereItStoppedAndComesOutTheSame)
     StabilityMap other = emptyMap(spec);
     readMap(file, other, mapKey(spec, "changed"));
     EXPECT_EQ(other.done(), 0U);
-    std::filesystem::remove(file);
 }
 
 TEST(StabilityMap, TakesNoPointFromADamagedRow)
@@ -104,7 +104,7 @@ TEST(StabilityMap, TakesNoPointFromADamagedRow)
     const std::string key = mapKey(spec, "");
     StabilityMap map = emptyMap(spec);
     for (auto& point : map.points) point = MapPoint{};
-    writeMap(folder / "map.dat", map, key);
+    writeMap(OutputFolder(folder.path()), "map.dat", map, key);
     const std::string good = test::readBytes(folder / "map.dat");
     const auto done = [&](const std::string& outcome) {
         std::string text = good;

@@ -1,6 +1,7 @@
 #include "study/Chart.h"
 
 #include "study/ChartReport.h"
+#include "support/logFile.h"
 #include "unit/case/TemporaryCase.h"
 #include "unit/model/Refusal.h"
 #include "unit/study/fakePrograms.h"
@@ -31,7 +32,7 @@ protected:
     {
         const auto file = folder_.root() / "log";
         {
-            Log log(file);
+            Log log = test::logInto(file);
             const auto text =
                 "charts { c { cost elementSteps; " + more + " ladders { n { entry controlDict.n; "
                 + "values (" + values + "); order inverse; } } probes { tip { file "
@@ -208,7 +209,7 @@ TEST_F(ChartTest, SetsInAllRunsWhatIsFixedAndTellsTheOrderOfGivenSteps)
 {
     folder_.write("half/system/controlDict", "n 2;\nm 0;\nfunctions { tip { type point; } }\n");
     const auto file = folder_.root() / "log";
-    Log log(file);
+    Log log = test::logInto(file);
     runCharts(Case(folder_.root()),
               Dictionary::parse("charts { c { cost elementSteps; fixed { half { overlay half; } } "
                                 "ladders { n { entries (controlDict.n controlDict.m); "

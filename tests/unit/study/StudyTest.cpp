@@ -36,7 +36,7 @@ protected:
         std::vector<StudyRun> runs;
         for (const auto& value : values)
             runs.push_back({"n_" + value, {{"system/controlDict", "n", value, ""}}});
-        return Study(case_(), folder_.root() / "postProcessing/chart/c", runs, settings, pipeline_);
+        return Study(case_(), "postProcessing/chart/c", runs, settings, pipeline_);
     }
     Case case_() const { return Case(folder_.root()); }
     std::string explicitCalls() const
@@ -149,7 +149,7 @@ TEST_F(StudyTest, InterleavesRepeats)
     run(twice);
 
     std::string order;
-    const RunTable table(folder_.root() / "postProcessing/chart/c/runs.dat");
+    const RunTable table(OutputFolder(folder_.root()), "postProcessing/chart/c/runs.dat");
     for (const auto& row : table.rows()) order += row.run + "/" + std::to_string(row.repeat) + " ";
     EXPECT_EQ(order, "n_2/1 n_4/1 n_2/2 n_4/2 ");
 }
@@ -158,7 +158,7 @@ TEST_F(StudyTest, RunsEqualVariationsOnce)
 {
     const std::vector<StudyRun> runs{{"a", {{"system/controlDict", "n", "3", ""}}},
                                      {"b", {{"system/controlDict", "n", "3", ""}}}};
-    Study study(case_(), folder_.root() / "postProcessing/chart/c", runs, {}, pipeline_);
+    Study study(case_(), "postProcessing/chart/c", runs, {}, pipeline_);
     run(study);
 
     EXPECT_EQ(explicitCalls(), "1");
@@ -170,7 +170,7 @@ TEST_F(StudyTest, LaysTheFilesOfAFolderOverTheCase)
 {
     folder_.write("variants/fine/system/controlDict", "n 5;\n");
     const std::vector<StudyRun> runs{{"fine", {{"", "", "", "variants/fine"}}}};
-    Study study(case_(), folder_.root() / "postProcessing/chart/c", runs, {}, pipeline_);
+    Study study(case_(), "postProcessing/chart/c", runs, {}, pipeline_);
     run(study);
 
     EXPECT_EQ(study.rows(0)[0].elements, 125);
@@ -220,8 +220,7 @@ TEST_F(StudyTest, RefusesATableItCannotRead)
 TEST_F(StudyTest, RefusesAnEntryThatIsADictionaryBeforeAnythingRuns)
 {
     const std::vector<StudyRun> runs{{"a", {{"system/controlDict", "functions.tip", "3", ""}}}};
-    EXPECT_THROW(Study(case_(), folder_.root() / "postProcessing/chart/c", runs, {}, pipeline_),
-                 InputError);
+    EXPECT_THROW(Study(case_(), "postProcessing/chart/c", runs, {}, pipeline_), InputError);
     EXPECT_EQ(programs_.calls(), "");
 }
 

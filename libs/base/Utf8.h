@@ -16,6 +16,9 @@ std::size_t countCharacters(std::string_view text);
 /// stay.
 std::string printable(std::string_view text);
 
+/// The same line by line: line ends stay too.
+std::string printableLines(std::string_view text);
+
 /// printable(text), cut after 60 characters.
 std::string excerpt(std::string_view text);
 

@@ -1,4 +1,4 @@
-#include "dictionary/Utf8.h"
+#include "base/Utf8.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -67,6 +67,18 @@ std::string printable(std::string_view text)
         at += character.size();
     }
     return result;
+}
+
+std::string printableLines(std::string_view text)
+{
+    std::string result;
+    for (;;) {
+        const auto end = text.find('\n');
+        result += printable(text.substr(0, end));
+        if (end == text.npos) return result;
+        result += '\n';
+        text.remove_prefix(end + 1);
+    }
 }
 
 std::string excerpt(std::string_view text)

@@ -1,4 +1,4 @@
-#include "dictionary/Utf8.h"
+#include "base/Utf8.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +30,12 @@ TEST(Utf8, TakesTheTeethOutOfEscapeCodes)
     EXPECT_EQ(printable("\x1B[31mred\x07"), "?[31mred?");
     EXPECT_EQ(printable("\xC2\x9B"), "?") << "the one-character form of ESC [";
     EXPECT_EQ(printable("a\tb\xFF"), "a\tb?");
+}
+
+TEST(Utf8, LeavesTheEndsOfLines)
+{
+    EXPECT_EQ(printableLines("a\x1B\n\nb\r\n"), "a?\n\nb?\n");
+    EXPECT_EQ(printableLines(""), "");
 }
 
 TEST(Utf8, CutsExcerptsBetweenCharacters)
