@@ -6,16 +6,16 @@
 
 namespace fpm {
 
-/// n values in the memory of one executor for their whole life; zero at first. Move-only. Kernels
-/// get data(); the host gets copies by name (toHost), never an element.
-template <class T, class Executor>
+/// n values in one memory space (HostSpace, CudaSpace) for their whole life; zero at first.
+/// Move-only. Kernels get data(); the host gets copies by name (toHost), never an element.
+template <class T, class Space>
 class Array
 {
 public:
     Array() = default;
     explicit Array(std::size_t size) : size_(size)
     {
-        if (size_ > 0) data_ = static_cast<T*>(Executor::allocate(size_ * sizeof(T)));
+        if (size_ > 0) data_ = static_cast<T*>(Space::allocate(size_ * sizeof(T)));
     }
     explicit Array(const std::vector<T>& values) : Array(values.size()) { fromHost(values); }
     Array(Array&& other) noexcept
@@ -29,7 +29,7 @@ public:
         std::swap(size_, other.size_);
         return *this;
     }
-    ~Array() { Executor::release(data_); }
+    ~Array() { Space::release(data_); }
 
     T* data() { return data_; }
     const T* data() const { return data_; }
@@ -38,12 +38,12 @@ public:
 
     void fromHost(const std::vector<T>& values)
     {
-        if (size_ > 0) Executor::toDevice(data_, values.data(), bytes());
+        if (size_ > 0) Space::toDevice(data_, values.data(), bytes());
     }
     std::vector<T> toHost() const
     {
         std::vector<T> values(size_);
-        if (size_ > 0) Executor::toHost(values.data(), data_, bytes());
+        if (size_ > 0) Space::toHost(values.data(), data_, bytes());
         return values;
     }
 

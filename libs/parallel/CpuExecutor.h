@@ -2,18 +2,14 @@
 
 #include "base/Types.h"
 #include "parallel/Batch.h"
+#include "parallel/HostSpace.h"
 
 #include <omp.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <memory>
-#include <new>
-#include <string>
 #include <vector>
 
 namespace fpm {
@@ -49,19 +45,21 @@ private:
     std::byte* scratch_;
 };
 
-/// Loops on one or more CPU threads. Memory is ordinary memory.
+/// Loops on one or more CPU threads.
 template <int Bits>
 class CpuExecutor
 {
 public:
     using Team = CpuTeam<Bits>;
+    using MemorySpace = HostSpace;
     /// The host may read what the kernels wrote, without waiting.
     static constexpr bool sharesMemory = true;
 
     CpuExecutor(int threads, std::size_t scratchBytes) : threads_(threads)
     {
         for (int thread = 0; thread < threads; ++thread)
-            scratch_.emplace_back(static_cast<std::byte*>(allocate(scratchBytes + 4096)));
+            scratch_.emplace_back(
+                static_cast<std::byte*>(HostSpace::allocate(scratchBytes + 4096)));
     }
 
     /// kernel(i) for i < count.
@@ -142,39 +140,12 @@ public:
         return 1;
     }
 
-    static void* allocate(std::size_t bytes)
-    {
-        const std::size_t alignment = bytes >= hugePage ? hugePage : 128;
-        void* memory =
-            std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-        if (!memory) throw std::bad_alloc();
-#ifdef __linux__
-        // Many arrays are read at once; with small pages their addresses alone fill the TLB.
-        if (bytes >= hugePage) madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
-        std::memset(memory, 0, bytes);
-        return memory;
-    }
-    static void release(void* memory)
-    {
-        std::free(memory);
-    }
-    static void toDevice(void* to, const void* from, std::size_t bytes)
-    {
-        std::memcpy(to, from, bytes);
-    }
-    static void toHost(void* to, const void* from, std::size_t bytes)
-    {
-        std::memcpy(to, from, bytes);
-    }
-
 private:
-    static constexpr std::size_t hugePage = std::size_t(2) << 20;
     /// Below this, waking the other threads costs more than they save.
     static constexpr Index smallLoop = 128;
 
     struct Free {
-        void operator()(std::byte* memory) const { release(memory); }
+        void operator()(std::byte* memory) const { HostSpace::release(memory); }
     };
     int threads_;
     std::vector<std::unique_ptr<std::byte, Free>> scratch_;

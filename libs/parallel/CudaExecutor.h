@@ -4,8 +4,8 @@
 #error "CudaExecutor.h is for translation units compiled by nvcc"
 #endif
 
-#include "base/Error.h"
 #include "base/Types.h"
+#include "parallel/CudaSpace.h"
 #include "parallel/LaunchSizes.h"
 #include "parallel/Math.h"
 
@@ -17,17 +17,6 @@
 #include <vector>
 
 namespace fpm {
-
-/// Turns a CUDA status into an Error; `what` names the call for the message.
-inline void checkCuda(cudaError_t status, const char* what)
-{
-    if (status == cudaSuccess) return;
-    const bool memory = status == cudaErrorMemoryAllocation;
-    throw Error(memory ? ExitCode::device : ExitCode::deviceLost,
-                std::string("CUDA: ") + what + ": " + cudaGetErrorString(status),
-                memory ? "the model does not fit the free memory of this GPU"
-                       : "nothing on the device can be trusted any more; start the run again");
-}
 
 /// A thread block: forEach strides over its threads, barrier waits for all of them.
 class CudaTeam
@@ -133,11 +122,12 @@ private:
     cudaStream_t stream_; ///< null after the end
 };
 
-/// Launches on one stream of the current device. Allocation is plain cudaMalloc, at set-up only.
+/// Launches on one stream of the current device.
 class CudaExecutor
 {
 public:
     using Team = CudaTeam;
+    using MemorySpace = CudaSpace;
     static constexpr bool sharesMemory = false;
 
     CudaExecutor()
@@ -211,35 +201,6 @@ public:
     double timedScale() const
     {
         return stepsTimed_ > 0 ? double(stepsDone_) / double(stepsTimed_) : 1;
-    }
-
-    /// Refuses what would not fit the device, before a part of it is allocated.
-    static void requireMemory(std::size_t bytes)
-    {
-        std::size_t free = 0, total = 0;
-        checkCuda(cudaMemGetInfo(&free, &total), "free memory");
-        if (bytes <= free) return;
-        const auto mebibytes = [](std::size_t n) { return std::to_string(n >> 20); };
-        throw Error(ExitCode::device,
-                    "the model needs " + mebibytes(bytes) + " MiB of device memory; "
-                        + mebibytes(free) + " of this GPU's " + mebibytes(total) + " MiB are free",
-                    "use -precision mixed, another -device, fewer elements or -backend openmp");
-    }
-    static void* allocate(std::size_t bytes)
-    {
-        void* memory = nullptr;
-        checkCuda(cudaMalloc(&memory, bytes), "allocation");
-        checkCuda(cudaMemset(memory, 0, bytes), "allocation");
-        return memory;
-    }
-    static void release(void* memory) { cudaFree(memory); }
-    static void toDevice(void* to, const void* from, std::size_t bytes)
-    {
-        checkCuda(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copy to the device");
-    }
-    static void toHost(void* to, const void* from, std::size_t bytes)
-    {
-        checkCuda(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copy from the device");
     }
 
 private:

@@ -19,23 +19,24 @@ public:
     virtual void toHost(void* to, const void* from, std::size_t bytes) const = 0;
 };
 
-template <class Executor>
+/// The memory of HostSpace or CudaSpace.
+template <class Space>
 class MemoryOf final : public Memory
 {
 public:
     void require(std::size_t bytes) const override
     {
-        if constexpr (requires { Executor::requireMemory(bytes); }) Executor::requireMemory(bytes);
+        if constexpr (requires { Space::requireMemory(bytes); }) Space::requireMemory(bytes);
     }
-    void* allocate(std::size_t bytes) const override { return Executor::allocate(bytes); }
-    void release(void* memory) const override { Executor::release(memory); }
+    void* allocate(std::size_t bytes) const override { return Space::allocate(bytes); }
+    void release(void* memory) const override { Space::release(memory); }
     void toDevice(void* to, const void* from, std::size_t bytes) const override
     {
-        Executor::toDevice(to, from, bytes);
+        Space::toDevice(to, from, bytes);
     }
     void toHost(void* to, const void* from, std::size_t bytes) const override
     {
-        Executor::toHost(to, from, bytes);
+        Space::toHost(to, from, bytes);
     }
 };
 

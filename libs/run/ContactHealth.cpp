@@ -69,6 +69,7 @@ void ContactHealth::sample(const Sample& row)
 void ContactHealth::keep(Archive& archive)
 {
     for (OfPair& pair : pairs_) {
+        archive(pair.size); // of the surface at the start, which may erode
         archive(pair.forgiven);
         pair.depth.keep(archive);
         // Of the status at that depth no more than this is reported.

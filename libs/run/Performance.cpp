@@ -134,7 +134,7 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
         const ContactPair& pair = model.contactPairs[number];
         const PairForce now = solver.contact().force(number);
         std::string line = format("pair {}: {} in contact, springs up to {}, held {}", pair.name,
-                                  now.active, largestStiffnessOf(solver, number), now.spring);
+                                  now.active, largestStiffnessOf(solver, number), now.springEnergy);
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
         if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
         log.line(line);

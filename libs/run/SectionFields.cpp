@@ -80,7 +80,7 @@ double misesOf(const Sym3<double>& s)
     return std::sqrt(1.5 * contract(deviator, deviator));
 }
 
-/// The largest over the integration points; 0 for a law that never yields.
+/// The largest over the integration points.
 template <class Law>
 double utilisationOf(const Element& element, double bending)
 {
@@ -127,7 +127,8 @@ SectionFields sectionFields(Solver& solver, const Model& model, const std::vecto
             out.hourglass[e] = stiffnessEnergy(element);
         if (layout.plastic)
             visitKernel(kernelOf(part), [&]<class Law, class>() {
-                out.utilisation[e] = utilisationOf<Law>(element, bending);
+                if constexpr (Law::plastic)
+                    out.utilisation[e] = utilisationOf<Law>(element, bending);
             });
     }
     return out;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fpm {
 
@@ -72,7 +73,6 @@ public:
           record_(options.from ? RunRecord(output_, options.from->runId, options.from->wallSeconds)
                                : RunRecord(output_, model.control.previousRun, log)),
           frames_(solver, model, output_, record_.id()),
-          histories_(output_, model, record_.id(), storedHistories(stored_), log),
           health_(model, solver),
           edges_(model),
           judge_(control_),
@@ -106,6 +106,7 @@ private:
 
     void loop()
     {
+        histories_.emplace(output_, model_, record_.id(), storedHistories(stored_), log_);
         options_.from ? goOn() : begin();
         reportStart(solver_, model_, root_, options_.maxSteps, log_);
         std::string why;
@@ -190,7 +191,7 @@ private:
     void sample()
     {
         const Sample row(solver_, model_);
-        histories_.sample(solver_, row);
+        histories_->sample(solver_, row);
         health_.sample(clock_, row);
         schedule_.rowIsDone(clock_);
         lastRow_ = clock_.steps;
@@ -247,7 +248,7 @@ private:
         out.inputs = options_.inputs;
         out.state = solver_.state();
         Archive archive;
-        std::vector<HistoryMark> marks = histories_.marks();
+        std::vector<HistoryMark> marks = histories_->marks();
         fpm::keep(archive, marks);
         keep(archive);
         out.record = archive.bytes();
@@ -365,7 +366,7 @@ private:
     Archive stored_;
     RunRecord record_;
     FrameWriter frames_;
-    Histories histories_;
+    std::optional<Histories> histories_; ///< once the loop runs: `status` says if they fail
     Health health_;
     EdgeWatch edges_;
     RunJudge judge_;

@@ -128,9 +128,16 @@ void Solver::advance(double time, std::int64_t maxSteps, const Pause& pause)
     const std::int64_t last = now.steps + maxSteps;
     while (mayStep() && now.steps < last) {
         const std::int64_t steps = stepsToMake(now, last);
+        const bool checks = lists_.stepsToCheck(now) == 0;
+        // The size of the first step is not known before it is made.
+        const Index ahead = now.step > 0 ? Index(stepsPerGraph) : 1;
         if (cores_) useThreads(cores_->threads());
         backend_.repeat(
-            steps, [this, steps] { step_.prepare(Index(steps)); }, [this] { step(); });
+            steps,
+            [this, checks, ahead] {
+                if (checks) step_.prepare(ahead);
+            },
+            [this] { step(); });
         backend_.synchronize();
         now = clock();
         if (now.waits) lists_.makeWaiting();
@@ -144,8 +151,9 @@ void Solver::advance(double time, std::int64_t maxSteps, const Pause& pause)
 /// Until the host has to look after the run again, `last` at most.
 std::int64_t Solver::stepsToMake(const StepClock& now, std::int64_t last)
 {
-    // The size of the first step is not known before it is made.
-    const std::int64_t steps = now.step <= 0 ? 1 : stepsPerGraph;
+    std::int64_t steps = now.step > 0 ? stepsPerGraph : 1;
+    if (const std::int64_t valid = lists_.stepsToCheck(now); valid > 0)
+        steps = std::min(steps, valid);
     return lists_.searchIfDue(now.steps, std::min(steps, last - now.steps));
 }
 
@@ -168,10 +176,14 @@ void Solver::followDeletions(StepClock& now)
 {
     const std::vector<bool> deleted = elements_.values().deleted;
     if (!setUp_.nodes.pressureFaceCondition.empty()) nodes_.endPressures(setUp_.nodes, deleted);
+    const double before = renewal_ ? ledger_.kinetic() : 0;
     if (renewal_ && renewal_->follow(deleted)) {
         backend_.forgetSteps();
         lists_.renew();
-        now = clock(); // lists are valid anew
+        now.listsValidUntil = now.steps;
+        // Forces that vanish between the two half steps of this time do not do their second half
+        // work, which the springs have given up already.
+        fields_.ledger.lostSpring += before - ledger_.kinetic();
     }
     now.followed = now.deletions;
     now.running = 1;

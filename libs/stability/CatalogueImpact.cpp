@@ -80,7 +80,7 @@ Measure thinLayers(ContactVariant variant)
             const PairForce now = solver->contact().force(i - 1);
             if (now.released > 0) return {2, {}};
             const double force = now.force[2]; // depth weighted by force: 2 E / F
-            if (force > 0) deepest = std::max(deepest, 2 * now.spring / force / thickness);
+            if (force > 0) deepest = std::max(deepest, 2 * now.springEnergy / force / thickness);
         }
     }
     return {solver->clock().failed ? 2 : deepest, {}};

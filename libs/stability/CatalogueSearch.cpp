@@ -135,7 +135,7 @@ Measure cornerInFace(ContactVariant variant)
         if (gap < 0) exact += 0.5 * springOf(model.parts[0], 1, 1) * gap * gap;
     }
     const auto solver = startedSolver(asVariant(model, variant));
-    return {std::abs(solver->contact().force(0).spring / exact - 1), {}};
+    return {std::abs(solver->contact().force(0).springEnergy / exact - 1), {}};
 }
 
 /// F1: a groove of 20 degrees, one long face on its left flank, eight on the right; a node is led

@@ -20,7 +20,7 @@ double depthOf(Solver& solver, std::size_t pairs)
         double width = 0;
         for (const ContactPassSetup& pass : solver.contact().setUp().passes)
             if (pass.pair == pair) width = std::max(width, pass.meanFaceSize);
-        if (force > 0 && width > 0) most = std::max(most, 2 * now.spring / (force * width));
+        if (force > 0 && width > 0) most = std::max(most, 2 * now.springEnergy / (force * width));
     }
     return most;
 }

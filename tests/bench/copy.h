@@ -32,9 +32,10 @@ template <class Executor>
 Bandwidth bandwidth(const Executor& executor, Index count, int repeats)
 {
     // Values that are not zero, so that no page stays shared.
-    const Array<double, Executor> a(std::vector<double>(std::size_t(count), 1.0)),
+    using Space = typename Executor::MemorySpace;
+    const Array<double, Space> a(std::vector<double>(std::size_t(count), 1.0)),
         b(std::vector<double>(std::size_t(count), 2.0));
-    Array<double, Executor> to(std::vector<double>(std::size_t(count), 3.0));
+    Array<double, Space> to(std::vector<double>(std::size_t(count), 3.0));
     const auto seconds = [&](const auto& kernel) {
         executor.synchronize();
         const auto begin = std::chrono::steady_clock::now();

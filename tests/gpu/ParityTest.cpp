@@ -64,7 +64,7 @@ Outcome outcomeOf(Solver& solver, const Model& model)
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair) {
         const PairForce f = solver.contact().force(pair);
         out.add("pair force", {f.force.begin(), f.force.end()});
-        out.add("pair", {double(f.active), double(f.released), double(f.inside), f.spring,
+        out.add("pair", {double(f.active), double(f.released), double(f.inside), f.springEnergy,
                          f.friction, f.damping});
         const PairStatus t = solver.contact().status(pair);
         out.add("touch", {double(t.active), t.maxDepth, t.meanDepth, double(t.deepest), t.thickness,

@@ -82,7 +82,7 @@ private:
         const Work gapChange = pass.law.damps() ? approach(i, face, at) : Work(0);
         if (now.beyond || !(at.gap < pass.reach)) {
             if (now.beyond && at.gap < 0) {
-                if (pass.law.spring[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
+                if (pass.law.springEnergy[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
                 release(i);
             }
             open(i, stiffness, gapChange);
@@ -110,7 +110,7 @@ private:
                 force += along;
                 if (!pass.law.friction.paper) frictionPart = along;
             }
-            pass.law.spring[i] = pass.law.energy(stiffness, gap, held);
+            pass.law.springEnergy[i] = pass.law.energy(stiffness, gap, held);
             if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
             open(i, stiffness, gapChange);
@@ -126,8 +126,8 @@ private:
     {
         const PassLaw<Work>& law = pass.law;
         const Index face = now.face;
-        const bool damps = law.damps(),
-                   held = pass.heldStiffness && law.spring[i] > 0 && pass.heldStiffness[i] > 0;
+        const bool damps = law.damps(), held = pass.heldStiffness && law.springEnergy[i] > 0
+                                               && pass.heldStiffness[i] > 0;
         Partner out{law.stiffness(i, pass.faceStiffness[face]),
                     damps ? law.lesserMass(i, pass.faceMass[face]) : Work(0),
                     Work(pass.faceThickness[face])};
@@ -162,7 +162,7 @@ private:
     /// for.
     FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
     {
-        if (!(pass.law.spring[i] > 0)) return;
+        if (!(pass.law.springEnergy[i] > 0)) return;
         pass.law.open(i, stiffness, gapChange);
     }
 
@@ -187,19 +187,19 @@ private:
         const Slip<Numbers> measure{pass, i};
         const Index face = now.face;
         const Projection<Work>& at = now.at;
-        held = law.storedVector(i);
+        held = law.storedForce(i);
         if (law.friction.paper) {
             const Vec3<Work> slip = inPlane(measure.relativeDisplacement(face, at), at.normal);
             return held = law.slide(i, held, slip, stiffness, normalForce, pass.clock->step);
         }
         const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
         const FaceFrame<Work> frame(corners);
-        if (law.storedFace[i] != face) {
+        if (law.frictionFace[i] != face) {
             if (dot(held, held) > 0) {
-                const FaceFrame<Work> old(pass.corners(law.storedFace[i], pass.contactor[i]));
+                const FaceFrame<Work> old(pass.corners(law.frictionFace[i], pass.contactor[i]));
                 held = frame.components(old.vector(held, at.normal), at.normal);
             }
-            law.storedFace[i] = face;
+            law.frictionFace[i] = face;
         }
         Vec3<Work> displacement =
             inPlane(measure.displacement(now, here, corners, origin), at.normal);

@@ -23,7 +23,7 @@ FPM_KERNEL double
 normalForceOf(const PassLaw<Work>& law, Index i, double stiffness, const Vec3<double>& tangential)
 {
     if (!(stiffness > 0)) return 0;
-    double energy = law.spring[i];
+    double energy = law.springEnergy[i];
     if (law.friction.acts())
         energy -=
             dot(tangential, tangential) / (2 * double(law.friction.stiffnessRatio) * stiffness);
@@ -54,7 +54,7 @@ struct FaceStatus {
     {
         const PassLaw<Work>& law = pass.law;
         const Index face = pass.face[i];
-        if (face < 0 || !(law.spring[i] > 0)) return false;
+        if (face < 0 || !(law.springEnergy[i] > 0)) return false;
         const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
         const Projection<Work> at = gapAtClosest(corners, pass.xi[i], pass.eta[i]);
         out.weight = weightOn(unsigned(pass.mirrorsOf(i)));
@@ -63,9 +63,9 @@ struct FaceStatus {
         Work stiffness = law.stiffness(i, pass.faceStiffness[face]);
         if (pass.heldStiffness && pass.heldStiffness[i] > 0) stiffness = pass.heldStiffness[i];
         if (law.friction.acts()) {
-            const Vec3<Work> held = law.storedVector(i);
-            out.friction =
-                inDoubles(law.storedFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
+            const Vec3<Work> held = law.storedForce(i);
+            out.friction = inDoubles(
+                law.frictionFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
             Work n[4];
             shapeFunctions(at.xi, at.eta, n);
             Vec3<Work> velocity = pass.velocityOf(pass.contactor[i]);
@@ -88,7 +88,7 @@ struct SurfaceStatus {
     FPM_KERNEL bool operator()(Index i, ContactStatus& out) const
     {
         const SurfaceForce<Numbers>& s = surface;
-        if (!(s.law.spring[i] > 0)) return false;
+        if (!(s.law.springEnergy[i] > 0)) return false;
         const std::size_t node = std::size_t(s.contactor[i]);
         const double now = s.clock->time, step = s.clock->step;
         const Vec3<double> moved = s.shape.displacement(s.amplitudeRows, now);
@@ -98,7 +98,7 @@ struct SurfaceStatus {
         out.weight = weightOn(s.law.mirrors ? s.law.mirrors[i] : 0u);
         out.depth = at.gap < 0 ? -at.gap : 0;
         if (s.law.friction.acts()) {
-            out.friction = inDoubles(s.law.storedVector(i));
+            out.friction = inDoubles(s.law.storedForce(i));
             Vec3<double> velocity{double(s.velocity[node]), double(s.velocity[s.nodeStride + node]),
                                   double(s.velocity[2 * s.nodeStride + node])};
             if (s.shape.moves && step > 0)

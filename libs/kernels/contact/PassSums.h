@@ -8,7 +8,7 @@ namespace fpm {
 /// Energies stored and dissipated by a pass, and its resultant. Order of the sums in
 /// PassSums::blockSum.
 enum PassSum {
-    sumSpring,
+    sumSpringEnergy,
     sumTouching, ///< contactors in contact
     sumDissipated,
     sumDamped,
@@ -21,7 +21,7 @@ enum PassSum {
 /// Sums the values kept per contactor; one block = contactBlock of them, as BlockForce.
 struct PassSums {
     Index count;
-    const double *spring, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
+    const double *springEnergy, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
     const double* surfaceForce;     ///< of an analytic surface, three planes; null: of faces
     const std::int64_t* blockForce; ///< of faces, see BlockForce; null: of an analytic surface
     ForceScale scale;
@@ -53,9 +53,10 @@ struct PassSums {
 private:
     FPM_KERNEL void fetch(std::size_t i, double* out) const
     {
-        const double* const from[] = {spring, nullptr, dissipated, damped, surfaceWork, injected};
+        const double* const from[] = {springEnergy, nullptr,     dissipated,
+                                      damped,       surfaceWork, injected};
         for (int k = 0; k < sumForce; ++k) out[k * contactBlock] = from[k] ? from[k][i] : 0;
-        out[sumTouching * contactBlock] = spring[i] > 0 ? 1 : 0;
+        out[sumTouching * contactBlock] = springEnergy[i] > 0 ? 1 : 0;
         for (int c = 0; c < 3; ++c)
             out[(sumForce + c) * contactBlock] =
                 surfaceForce ? surfaceForce[std::size_t(c) * std::size_t(count) + i] : 0;

@@ -15,11 +15,9 @@ struct PassLaw {
     const std::uint8_t*
         mirrors; ///< symmetry planes on which it lies, one bit each; each halves k_n; null: none
     FrictionLaw<Work> friction;
-    Work* stored;              ///< tangential traction (force): two components in a face's frame,
-                               ///< or a vector
-    Index* storedFace;         ///< face of that frame; null where `stored` is a vector in fixed
-                               ///< axes
-    double* spring;            ///< recoverable energy of normal and tangential spring
+    Work* tangentialForce;     ///< two components in a face's frame, or a vector
+    Index* frictionFace;       ///< face of that frame; null: a vector in fixed axes
+    double* springEnergy;      ///< recoverable, of normal and tangential spring
     double* dissipated;        ///< by friction, running sum
     Work dampingRatio;         ///< zeta; 0: no damping, and the arrays below are empty
     const Work* contactorMass; ///< m_c; 0: the contactor cannot move
@@ -30,25 +28,25 @@ struct PassLaw {
 
     /// Penalty stiffness k_n between contactor i and a face. A rigid side has stiffness 0; then the
     /// other side's counts.
-    FPM_KERNEL Work stiffness(Index i, Work face) const
+    FPM_KERNEL Work stiffness(Index i, Work faceStiffness) const
     {
-        Work stiffness = wholeStiffness(i, face);
+        Work stiffness = wholeStiffness(i, faceStiffness);
         if (mirrors)
             for (unsigned left = mirrors[i]; left > 0; left &= left - 1) stiffness *= Work(0.5);
         return stiffness;
     }
-    FPM_KERNEL Work wholeStiffness(Index i, Work face) const
+    FPM_KERNEL Work wholeStiffness(Index i, Work faceStiffness) const
     {
-        if (!contactorStiffness) return face;
+        if (!contactorStiffness) return faceStiffness;
         const Work own = contactorStiffness[i];
-        if (!(face > 0)) return own;
-        return own > 0 ? springStiffness(PenaltyRules{}, rule, own, face) : face;
+        if (!(faceStiffness > 0)) return own;
+        return own > 0 ? springStiffness(PenaltyRules{}, rule, own, faceStiffness) : faceStiffness;
     }
     /// m*: the lesser mass of contactor and face, of the sides that can move.
-    FPM_KERNEL Work lesserMass(Index i, Work face) const
+    FPM_KERNEL Work lesserMass(Index i, Work faceMass) const
     {
         const Work own = contactorMass[i];
-        return own > 0 && !(face > 0 && face < own) ? own : face;
+        return own > 0 && !(faceMass > 0 && faceMass < own) ? own : faceMass;
     }
     FPM_KERNEL bool damps() const { return dampingRatio > 0; }
 
@@ -72,53 +70,55 @@ struct PassLaw {
         dampingForce[i] = force;
     }
 
-    FPM_KERNEL Vec3<Work> storedVector(Index i) const
+    FPM_KERNEL Vec3<Work> storedForce(Index i) const
     {
-        return {stored[i], stored[count + i], storedFace ? Work(0) : stored[2 * count + i]};
+        return {tangentialForce[i], tangentialForce[count + i],
+                frictionFace ? Work(0) : tangentialForce[2 * count + i]};
     }
     FPM_KERNEL void store(Index i, const Vec3<Work>& force) const
     {
-        stored[i] = force.x;
-        stored[count + i] = force.y;
-        if (!storedFace) stored[2 * count + i] = force.z;
+        tangentialForce[i] = force.x;
+        tangentialForce[count + i] = force.y;
+        if (!frictionFace) tangentialForce[2 * count + i] = force.z;
     }
     /// Return mapping of friction from the traction `from`; stores the new traction.
     FPM_KERNEL Vec3<Work> slide(Index i,
                                 const Vec3<Work>& from,
                                 const Vec3<Work>& slip,
-                                Work k,
+                                Work stiffness,
                                 Work normal,
                                 double step) const
     {
-        const Vec3<Work> force = frictionForce(friction, from, slip, friction.stiffnessRatio * k,
-                                               normal, step, dissipated[i]);
+        const Vec3<Work> force = frictionForce(
+            friction, from, slip, friction.stiffnessRatio * stiffness, normal, step, dissipated[i]);
         store(i, force);
         return force;
     }
     /// Recoverable energy of the springs.
-    FPM_KERNEL double energy(Work k, Work gap, const Vec3<Work>& tangential) const
+    FPM_KERNEL double energy(Work stiffness, Work gap, const Vec3<Work>& tangential) const
     {
-        Work sum = Work(0.5) * k * gap * gap;
-        if (friction.acts() && k > 0) // 0: neither side can move
-            sum += dot(tangential, tangential) / (Work(2) * friction.stiffnessRatio * k);
+        Work sum = Work(0.5) * stiffness * gap * gap;
+        if (friction.acts() && stiffness > 0) // 0: neither side can move
+            sum += dot(tangential, tangential) / (Work(2) * friction.stiffnessRatio * stiffness);
         return double(sum);
     }
     /// Dissipates the energy of a tangential spring with this squared force.
-    FPM_KERNEL void lose(Index i, Work square, Work k) const
+    FPM_KERNEL void lose(Index i, Work square, Work stiffness) const
     {
-        if (square > 0) dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * k));
+        if (square > 0)
+            dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * stiffness));
     }
     /// Separation: the energy of the tangential spring is dissipated. `gapChange` as in
     /// normalForce.
-    FPM_KERNEL void open(Index i, Work k, Work gapChange) const
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange) const
     {
-        spring[i] = 0;
+        springEnergy[i] = 0;
         if (damps()) bookDamping(i, 0, gapChange);
         if (!friction.acts()) return;
-        const Vec3<Work> held = storedVector(i);
+        const Vec3<Work> held = storedForce(i);
         const Work square = dot(held, held);
         if (!(square > 0)) return;
-        lose(i, square, k);
+        lose(i, square, stiffness);
         store(i, {Work(0), Work(0), Work(0)});
     }
 };

@@ -90,7 +90,7 @@ struct SurfaceForce {
         const bool near = at.opposite && at.gap < reach;
         const Vec3<double> before = lastForce(i);
         // A contactor out of reach that was separated before contributes nothing.
-        if (!near && !(law.spring[i] > 0)) return;
+        if (!near && !(law.springEnergy[i] > 0)) return;
         const Vec3<double> surfaceDisplacement =
             moved - shape.displacement(amplitudeRows, now - step);
         const Vec3<double> displacement =
@@ -98,13 +98,13 @@ struct SurfaceForce {
                 * Vec3<double>{double(velocity[node]), double(velocity[nodeStride + node]),
                                double(velocity[2 * nodeStride + node])}
             - surfaceDisplacement;
-        const Work k = law.stiffness(i, Work(0));
+        const Work stiffness = law.stiffness(i, Work(0));
         std::int64_t fixed[3] = {0, 0, 0};
         if (near && at.gap < 0)
-            applyForces(i, at, x, displacement, k, fixed);
+            applyForces(i, at, x, displacement, stiffness, fixed);
         else
-            law.open(i, k, Work(dot(displacement, at.normal)));
-        distribute(i, near, k, fixed);
+            law.open(i, stiffness, Work(dot(displacement, at.normal)));
+        distribute(i, near, stiffness, fixed);
         if (shape.moves) work[i] += 0.5 * dot(before + lastForce(i), surfaceDisplacement);
     }
 
@@ -118,38 +118,39 @@ private:
                                 const SurfacePoint& at,
                                 const Vec3<double>& x,
                                 const Vec3<double>& displacement,
-                                Work k,
+                                Work stiffness,
                                 std::int64_t (&fixed)[3]) const
     {
         const double step = clock->step;
         const Work gap = Work(at.gap > -deepest ? at.gap : -deepest);
         const Work normalForce =
-            law.normalForce(i, k, gap, law.damps() ? law.contactorMass[i] : Work(0),
+            law.normalForce(i, stiffness, gap, law.damps() ? law.contactorMass[i] : Work(0),
                             Work(dot(displacement, at.normal)), step);
         const Vec3<Work> normal = toWork(at.normal);
         Vec3<Work> total = normalForce * normal, held{0, 0, 0};
         if (law.friction.acts()) {
-            held = law.storedVector(i);
+            held = law.storedForce(i);
             if (!law.friction.paper) {
                 const SurfacePoint last = shape.at(x - displacement);
                 if (last.opposite) held = turnedPlane(held, toWork(last.normal), normal);
             }
-            held =
-                law.slide(i, held, toWork(inPlane(displacement, at.normal)), k, normalForce, step);
+            held = law.slide(i, held, toWork(inPlane(displacement, at.normal)), stiffness,
+                             normalForce, step);
             total += held;
         }
-        law.spring[i] = law.energy(k, gap, held);
+        law.springEnergy[i] = law.energy(stiffness, gap, held);
         fixed[0] = sums.scale.force(double(total.x));
         fixed[1] = sums.scale.force(double(total.y));
         fixed[2] = sums.scale.force(double(total.z));
     }
 
-    FPM_KERNEL void distribute(Index i, bool near, Work k, const std::int64_t (&fixed)[3]) const
+    FPM_KERNEL void
+    distribute(Index i, bool near, Work stiffness, const std::int64_t (&fixed)[3]) const
     {
         const Index number = contactNumber[contactor[i]];
         if (fixed[0] != 0 || fixed[1] != 0 || fixed[2] != 0) sums.addForce(number, fixed);
         for (int c = 0; c < 3; ++c) force[c * contactorCount + i] = sums.scale.toForce(fixed[c]);
-        if (near) sums.addStiffness(number, double(Work(2) * law.limitFactor * k));
+        if (near) sums.addStiffness(number, double(Work(2) * law.limitFactor * stiffness));
     }
     FPM_KERNEL static Vec3<Work> toWork(const Vec3<double>& v)
     {

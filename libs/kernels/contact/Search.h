@@ -93,7 +93,7 @@ struct SlotChoice {
             if (face < 0) continue;
             int match = 0;
             while (match < found.count && found.component[match] != pass.componentOf(face)) ++match;
-            const bool touching = pass.law.spring[i] > 0;
+            const bool touching = pass.law.springEnergy[i] > 0;
             if (match < found.count) {
                 update(i, found.best[match], touching);
                 placed[match] = true;

@@ -178,7 +178,7 @@ FPM_KERNEL T squaredStep(const MaterialConstants<ScalarOf<T>>& m,
 }
 
 /// One time step of the selective hexahedron. Arguments as of updateHexahedron; `points` reads and
-/// stores the state of each Gauss point: load(point, state), store(point, state, step: increments
+/// stores the state of each Gauss point: read(point, state), store(point, state, step: increments
 /// of the accumulated values).
 template <class Material, class T, class Points>
 FPM_KERNEL ElementStep<T> updateSelective(const MaterialConstants<ScalarOf<T>>& m,

@@ -75,14 +75,11 @@ struct DruckerPrager : MaterialLaw {
     update(const MaterialConstants<ScalarOf<T>>& m, const FlowPoint<T>& point, Sym3<T>& s, Sym3<T>&)
     {
         using Real = ScalarOf<T>;
-        const T zero = T(Real(0)), one = T(Real(1)), tiny = T(Real(1e-30));
-        const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-        const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
-        const T square = fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny);
-        const T trial =
-            T(Real(0.5))
-            * (point.bending
-               + squareRoot(fusedMultiplyAdd(point.bending, point.bending, T(Real(4)) * square)));
+        const T zero = T(Real(0)), one = T(Real(1));
+        const T mean = meanStress(s);
+        const Sym3<T> deviator = deviatorOf(s);
+        const TrialStress<T> size(deviator, point.bending);
+        const T trial = size.equivalent;
         const T over = fusedMultiplyAdd(T(m.law[pressureSlope]), mean, trial) - T(m.law[cohesive]);
         const T onCone = maximum(over * T(m.law[inverseReturn]), zero);
         const T wholly = trial * T(Real(1) / m.threeMu); // increment that leaves no deviator
@@ -98,7 +95,7 @@ struct DruckerPrager : MaterialLaw {
         s.zz = s.zz - relief;
         const T volumetric = relief * T(Real(1) / m.law[bulk]);
         const T work = fusedMultiplyAdd(mean - relief, volumetric,
-                                        (one - reduction) * increment * (square / trial));
+                                        (one - reduction) * increment * (size.square / trial));
         return {increment, work, reduction};
     }
 
@@ -106,10 +103,9 @@ struct DruckerPrager : MaterialLaw {
     FPM_KERNEL static T
     strength(const MaterialConstants<ScalarOf<T>>& m, const FlowPoint<T>&, const Sym3<T>& s)
     {
-        using Real = ScalarOf<T>;
-        const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-        return maximum(fusedMultiplyAdd(T(-m.law[pressureSlope]), mean, T(m.law[cohesive])),
-                       T(Real(0)));
+        return maximum(
+            fusedMultiplyAdd(T(-m.law[pressureSlope]), meanStress(s), T(m.law[cohesive])),
+            T(ScalarOf<T>(0)));
     }
 };
 

@@ -29,12 +29,6 @@ struct Elastic : MaterialLaw {
     {
         return {false};
     }
-    template <class T>
-    FPM_KERNEL static T
-    strength(const MaterialConstants<ScalarOf<T>>&, const FlowPoint<T>&, const Sym3<T>&)
-    {
-        return T(ScalarOf<T>(0));
-    }
 };
 
 } // namespace fpm

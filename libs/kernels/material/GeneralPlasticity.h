@@ -102,22 +102,17 @@ FPM_KERNEL PlasticStep<T> generalReturn(const MaterialConstants<ScalarOf<T>>& m,
 {
     using Real = ScalarOf<T>;
     const GeneralConstants<Real>& g = m.general;
-    const T zero = T(Real(0)), tiny = T(Real(1e-30));
+    const T zero = T(Real(0));
     if (m.rows == 0) return {zero, zero, zero};
     const bool curved = g.powerModulus > Real(0) || g.rateLaw != RateLaw::none;
     const YieldStress<T> curve = hardeningCurve(m, point.plasticStrain);
     if (!curved && !(g.kinematicModulus > Real(0)) && !(g.softeningExponent > Real(0)))
         return radialReturn<T>(m, point.plasticStrain, point.bending, s);
 
-    const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-    const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    const Sym3<T> deviator = deviatorOf(s);
     Sym3<T> shifted = deviator;
     if (g.kinematicModulus > Real(0)) shifted = deviator + T(Real(-1)) * backstress;
-    const T square = fusedMultiplyAdd(T(Real(1.5)), contract(shifted, shifted), tiny);
-    const T trial =
-        T(Real(0.5))
-        * (point.bending
-           + squareRoot(fusedMultiplyAdd(point.bending, point.bending, T(Real(4)) * square)));
+    const T trial = TrialStress<T>(shifted, point.bending).equivalent;
     const T softening = thermalSoftening(g, point.temperatureRise);
     const T slow = softening * curve.value;
     const auto flows = trial > slow;
@@ -160,7 +155,6 @@ struct GeneralPlasticity : MaterialLaw {
     FPM_KERNEL static T
     strength(const MaterialConstants<ScalarOf<T>>& m, const FlowPoint<T>& point, const Sym3<T>&)
     {
-        if (m.rows == 0) return T(ScalarOf<T>(0));
         return hardeningCurve<T>(m, point.plasticStrain).value
                * thermalSoftening<T>(m.general, point.temperatureRise);
     }

@@ -20,14 +20,9 @@ FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
 {
     using Real = ScalarOf<T>;
     const T zero = T(Real(0));
-    const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-    const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
-    // The smallest normal number avoids 0/0 where there is no stress.
-    const T tiny = T(Real(1e-30));
-    const T square = fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny);
-    const T trial =
-        T(Real(0.5))
-        * (bending + squareRoot(fusedMultiplyAdd(bending, bending, T(Real(4)) * square)));
+    const Sym3<T> deviator = deviatorOf(s);
+    const TrialStress<T> size(deviator, bending);
+    const T trial = size.equivalent;
 
     T increment = (trial - T(m.stress[0]) - T(m.slope[0]) * (plasticStrain - T(m.strain[0])))
                   * T(Real(1) / (m.threeMu + m.slope[0]));
@@ -43,7 +38,7 @@ FPM_KERNEL PlasticStep<T> radialReturn(const MaterialConstants<ScalarOf<T>>& m,
     // Subtraction leaves an elastic stress unchanged to the last bit.
     const T reduction = T(m.threeMu) * increment / trial;
     s = s + (-reduction) * deviator;
-    return {increment, (T(Real(1)) - reduction) * increment * (square / trial), reduction};
+    return {increment, (T(Real(1)) - reduction) * increment * (size.square / trial), reduction};
 }
 
 /// J2 flow with tabulated isotropic hardening sigma_y(ebar), piecewise linear.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/material/MaterialConstants.h"
-#include "parallel/Vec3.h"
+#include "kernels/material/TrialStress.h"
 
 #include <array>
 #include <limits>
@@ -71,7 +71,8 @@ enum class SectionRule {
 ///     section                see SectionRule
 ///     kept(m)                the state of its points
 ///     update(m, point, s, a) takes the elastic trial stress s, and the backstress a, back
-///     strength(m, point, s)  Mises stress at which the stress s would yield in slow flow; 0: never
+///     strength(m, point, s)  Mises stress at which the stress s would yield in slow flow, 0: any;
+///                            not asked of a law that is not plastic
 struct MaterialLaw {
     static constexpr std::array<Parameter, 0> parameters{};
     static constexpr bool plastic = true, general = true, heats = false, everyElement = false;

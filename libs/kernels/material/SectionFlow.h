@@ -58,9 +58,8 @@ FPM_KERNEL SectionFlow<T> flowOfSection(const MaterialConstants<ScalarOf<T>>& m,
     const T zero = T(Real(0)), one = T(Real(1)), two = T(Real(2)), tiny = T(Real(1e-30));
     const auto flows = plastic.reduction > zero;
     if (!NumberTraits<T>::any(flows)) return {one, zero};
-    const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
     const Real stiffness = m.threeMu + kinematic;
-    Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+    Sym3<T> deviator = deviatorOf(s);
     if (kinematic > Real(0)) deviator = deviator + T(Real(-1)) * backstress;
     const T inverseKept = one / (one - plastic.reduction);
     const T q = inverseKept

@@ -96,13 +96,9 @@ struct ZerilliArmstrong : MaterialLaw {
     {
         using Real = ScalarOf<T>;
         const T zero = T(Real(0)), one = T(Real(1)), tiny = T(Real(1e-30));
-        const T mean = (s.xx + s.yy + s.zz) * T(Real(1) / Real(3));
-        const Sym3<T> deviator{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
-        const T square = fusedMultiplyAdd(T(Real(1.5)), contract(deviator, deviator), tiny);
-        const T trial =
-            T(Real(0.5))
-            * (point.bending
-               + squareRoot(fusedMultiplyAdd(point.bending, point.bending, T(Real(4)) * square)));
+        const Sym3<T> deviator = deviatorOf(s);
+        const TrialStress<T> size(deviator, point.bending);
+        const T trial = size.equivalent;
 
         const T strain = maximum(point.plasticStrain, zero);
         const T temperature = maximum(point.temperatureRise + T(m.general.temperature), zero);
@@ -138,7 +134,7 @@ struct ZerilliArmstrong : MaterialLaw {
         const T increment = select(flows, exponential(z), zero);
         const T reduction = T(m.threeMu) * increment / trial;
         s = s + (-reduction) * deviator;
-        return {increment, (one - reduction) * increment * (square / trial), reduction};
+        return {increment, (one - reduction) * increment * (size.square / trial), reduction};
     }
 
     /// At rate0.

@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    MemoryOf<Executor> memory_;
+    MemoryOf<typename Executor::MemorySpace> memory_;
     Executor executor_;
 };
 

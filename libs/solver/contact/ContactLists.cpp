@@ -38,7 +38,7 @@ ContactLists::ContactLists(const SolverSetUp& setUp,
       near_(setUp)
 {
     decideWhen();
-    if (when_ == When::asListsLast) fields_.renewLists(near_);
+    if (when_ == When::whenInvalid) fields_.renewLists(near_);
 }
 
 void ContactLists::decideWhen()
@@ -47,14 +47,14 @@ void ContactLists::decideWhen()
         if (setUp_.contact.passes[pass.number].search == ContactSearch::closestParticle)
             when_ = When::everyStep;
         else if (when_ == When::never)
-            when_ = When::asListsLast;
+            when_ = When::whenInvalid;
     if (when_ != When::never && interval_ > 0) when_ = When::interval;
 }
 
 void ContactLists::searchNow()
 {
     timedByHost(backend_, hostSeconds_, [this] {
-        if (when_ == When::asListsLast) {
+        if (when_ == When::whenInvalid) {
             makeLists(true);
             launches_.storeReferencePositions();
             return;
@@ -66,8 +66,15 @@ void ContactLists::searchNow()
 
 void ContactLists::check(Index steps)
 {
-    if (when_ == When::asListsLast)
+    if (when_ == When::whenInvalid)
         backend_.timed(seconds_, [this, steps] { launches_.check(steps); });
+}
+
+std::int64_t ContactLists::stepsToCheck(const StepClock& now) const
+{
+    constexpr std::int64_t never = std::int64_t(1) << 62;
+    if (when_ != When::whenInvalid) return never;
+    return now.step > 0 ? std::max<std::int64_t>(0, now.listsValidUntil - now.steps) : 0;
 }
 
 void ContactLists::searchAtStep()
@@ -153,7 +160,7 @@ void ContactLists::renew()
 void ContactLists::renewFields()
 {
     near_ = NearBlocks(setUp_);
-    if (when_ == When::asListsLast) fields_.renewLists(near_);
+    if (when_ == When::whenInvalid) fields_.renewLists(near_);
 }
 
 void ContactLists::restored()

@@ -29,6 +29,9 @@ public:
     /// Checks whether lists stay valid for so many steps, where needed; part of what a graph
     /// records.
     void check(Index steps);
+    /// Steps until lists have to be checked: 0 at such a step, far off where they never are. Those
+    /// steps follow from the run alone, not from where the host looks after it.
+    std::int64_t stepsToCheck(const StepClock& now) const;
     /// Where every step searches: now.
     void searchAtStep();
     /// Where an interval is given: searches if it is due. Returns how many of `steps` may follow.
@@ -50,7 +53,7 @@ public:
     std::int64_t searches(std::int64_t steps) const;
 
 private:
-    enum class When { never, asListsLast, interval, everyStep };
+    enum class When { never, whenInvalid, interval, everyStep };
 
     void decideWhen();
     void makeLists(bool all);

@@ -15,7 +15,7 @@ struct PairForce {
     /// edge; searches that found a contactor inside, a face nearer than the tracked one, and more
     /// bodies within reach of a node than it has slots; lists used beyond their validity.
     std::int64_t released = 0, overEdge = 0, inside = 0, mistaken = 0, crowded = 0, late = 0;
-    double spring = 0;                ///< recoverable energy of its springs
+    double springEnergy = 0;          ///< recoverable energy of its springs
     double friction = 0, damping = 0; ///< dissipated since the start
 };
 

@@ -123,7 +123,7 @@ void ContactRenewal::bookLost(const PassFields& old,
 {
     const std::size_t oldCount = old.contactor.size();
     LedgerFields& lost = fields_.ledger;
-    lost.lostSpring += leftBehind(old.spring, touching, oldCount);
+    lost.lostSpring += leftBehind(old.springEnergy, touching, oldCount);
     lost.lostFriction += leftBehind(old.dissipated, from.contactor, oldCount);
     lost.lostDamping += leftBehind(old.damped, from.contactor, oldCount);
     lost.lostWork += leftBehind(old.surfaceWork, from.contactor, oldCount)

@@ -136,13 +136,12 @@ void continueAtMirrors(ContactPassSetup& pass, const std::vector<MirrorPlane>& p
     }
 }
 
-/// One pass: the nodes of `own` against the faces of `target`, with a share of the stiffness.
+/// One pass: the nodes of `own` against the faces of `target`.
 ContactPassSetup makePass(const SolverSetUp& data,
                           const Model& model,
                           const ContactPair& pair,
                           const std::vector<ElementSide>& own,
-                          const std::vector<ElementSide>& target,
-                          double share)
+                          const std::vector<ElementSide>& target)
 {
     ContactPassSetup out;
     out.search = pair.search;
@@ -173,14 +172,13 @@ ContactPassSetup makePass(const SolverSetUp& data,
     continueAtMirrors(out, mirrorPlanes(model));
     if (pair.kind != ContactKind::pair) addExclusions(out, model, pair, target);
     addComponents(out, model, pair, own, target);
-    addPenalty(out, data, model, pair, own, target, share);
+    addPenalty(out, data, model, pair, own, target);
     out.unequalFaces = differ(out.faceStiffness);
     out.mayLeave = data.elements.erodes;
     return out;
 }
 
-/// The passes of a pair: one, or two with half the stiffness each. A surface against itself has
-/// each of its nodes against the other's faces and so half the stiffness too.
+/// The passes of a pair: one, or two.
 void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
 {
     const ContactPair& pair = model.contactPairs[number];
@@ -190,12 +188,10 @@ void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
         data.contact.passes.back().pair = number;
         return;
     }
-    const bool both = pair.passes == 2;
-    const double share = both || pair.kind != ContactKind::pair ? 0.5 : 1.0;
-    data.contact.passes.push_back(makePass(data, model, pair, own, pair.targetSides, share));
+    data.contact.passes.push_back(makePass(data, model, pair, own, pair.targetSides));
     data.contact.passes.back().pair = number;
-    if (!both) return;
-    data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own, share));
+    if (pair.passes < 2) return;
+    data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own));
     data.contact.passes.back().pair = number;
     data.contact.passes.back().reversed = true;
 }

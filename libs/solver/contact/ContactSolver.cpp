@@ -52,8 +52,8 @@ void ContactSolver::noteOverlaps(std::size_t number, const std::vector<float>& d
 std::uint64_t ContactSolver::checksum(std::uint64_t hash) const
 {
     for (const auto& pass : fields_.contact.passes) {
-        const std::vector<std::byte> friction = pass->friction.image();
-        hash = hashedBytes(hash, friction.data(), friction.size());
+        const std::vector<std::byte> force = pass->tangentialForce.image();
+        hash = hashedBytes(hash, force.data(), force.size());
     }
     return hash;
 }

@@ -66,13 +66,13 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     around.resize(count);
     xi.resize(count);
     eta.resize(count);
-    friction.resize(rough ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
     surfaceForce.resize(analytic ? 3 * count : 0);
-    spring.resize(count);
+    springEnergy.resize(count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
     damped.resize(damping ? count : 0);
@@ -85,13 +85,14 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
 void PassFields::requireNumbers() const
 {
     const auto require = [this](const FieldInfo& info, Index number, std::size_t count) {
-        if (number >= noFace && number < Index(count)) return;
+        if (number < Index(count)) return; // negative ones are marks, such as noFace
         throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
                                                  name(), number, info.name, count));
     };
     const std::size_t faces = faceNode.size() / 4;
     for (const Field<Index>* field : {&face, &frictionFace})
         for (const Index number : field->toHost()) require(field->info(), number, faces);
+    if (entries.size() == 0) return; // nothing is searched: heads are not filled
     for (const Index number : head.toHost()) require(head.info(), number, entries.size());
     for (const CellEntry& entry : entries.toHost())
         require(entries.info(), entry.next, entries.size());

@@ -48,9 +48,10 @@ struct PassFields : FieldSet {
         *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
     NumberField eta{
         *this, {"eta", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
-    NumberField friction{*this,
-                         {"friction", Location::contactor, Role::state, Renewal::keptInContact},
-                         Family::work};
+    NumberField tangentialForce{
+        *this,
+        {"tangentialForce", Location::contactor, Role::state, Renewal::keptInContact},
+        Family::work};
     NumberField heldStiffness{
         *this,
         {"heldStiffness", Location::contactor, Role::state, Renewal::keptInContact},
@@ -63,8 +64,8 @@ struct PassFields : FieldSet {
     /// Of an analytic surface on each contactor.
     Field<double> surfaceForce{
         *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInContact}};
-    Field<double> spring{*this,
-                         {"spring", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<double> springEnergy{
+        *this, {"springEnergy", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dampingForce{
         *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dissipated{*this,

@@ -78,6 +78,13 @@ std::vector<std::uint8_t> mirrorsOf(const Model& model, const std::vector<Index>
     return any ? out : std::vector<std::uint8_t>{};
 }
 
+/// Half of it where both sides have contactors: in two passes, in self- and in general contact.
+double scaleOf(const ContactPair& pair)
+{
+    const bool bothSides = pair.passes == 2 || pair.kind != ContactKind::pair;
+    return (bothSides ? 0.5 : 1.0) * pair.normalScale;
+}
+
 } // namespace
 
 void addPenalty(ContactPassSetup& out,
@@ -85,10 +92,9 @@ void addPenalty(ContactPassSetup& out,
                 const Model& model,
                 const ContactPair& pair,
                 const std::vector<ElementSide>& own,
-                const std::vector<ElementSide>& target,
-                double share)
+                const std::vector<ElementSide>& target)
 {
-    const double scale = share * pair.normalScale;
+    const double scale = scaleOf(pair);
     out.mirrors = mirrorsOf(model, out.contactor);
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
@@ -160,7 +166,7 @@ ContactPassSetup makeSurfacePair(const SolverSetUp& data,
     out.surface = pair.surface;
     out.contactor = pair.contactorNodes;
     out.nodeCount = Index(out.contactor.size());
-    addPenalty(out, data, model, pair, own, {}, 1);
+    addPenalty(out, data, model, pair, own, {});
     double areas = 0;
     for (const ElementSide& side : own) areas += area(model.mesh, side);
     if (!own.empty()) out.meanFaceSize = std::sqrt(areas / double(own.size()));

@@ -11,8 +11,7 @@ void addPenalty(ContactPassSetup& out,
                 const Model& model,
                 const ContactPair& pair,
                 const std::vector<ElementSide>& own,
-                const std::vector<ElementSide>& target,
-                double share);
+                const std::vector<ElementSide>& target);
 
 /// Largest stiffness a spring of the pair can have.
 double largestStiffness(const ContactPassSetup& pass);

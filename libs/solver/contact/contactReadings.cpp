@@ -37,7 +37,7 @@ PairForce ContactSolver::force(std::size_t number)
         const double sign = setUp_.contact.passes[pass].reversed ? -1 : 1;
         for (std::size_t c = 0; c < 3; ++c) out.force[c] += sign * sums[sumForce + c];
         out.active += Index(sums[sumTouching]);
-        out.spring += sums[sumSpring];
+        out.springEnergy += sums[sumSpringEnergy];
         out.friction += sums[sumDissipated];
         out.damping += sums[sumDamped];
         const std::vector<std::int64_t> counts = fields_.contact.passes[pass]->counts.toHost();

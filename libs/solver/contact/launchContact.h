@@ -59,7 +59,7 @@ public:
         PassFields& f = fields(pass);
         on_.executor.parallelBlocks(
             blocks(pass), PassSums::scratch(),
-            PassSums{contactors(pass), f.spring.data(), f.dissipated.data(), f.damped.data(),
+            PassSums{contactors(pass), f.springEnergy.data(), f.dissipated.data(), f.damped.data(),
                      f.surfaceWork.data(), f.injected.data(), f.surfaceForce.data(), f.force.data(),
                      on_.setUp.contact.scale, f.sums.data()});
     }

@@ -94,7 +94,7 @@ double Ledger::addContact(Energies& out) const
     double faded = 0;
     for (std::size_t pass = 0; pass < setUp_.contact.passes.size(); ++pass) {
         const std::array<double, passSums> sums = contact_.sumsOf(pass);
-        out.contact += sums[sumSpring];
+        out.contact += sums[sumSpringEnergy];
         out.friction += sums[sumDissipated];
         out.contactDamping += sums[sumDamped];
         out.external += sums[sumSurfaceWork];

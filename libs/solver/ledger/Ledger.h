@@ -29,6 +29,8 @@ public:
     /// The same without a trace: the balance of later times does not depend on whether this was
     /// asked for.
     Energies peek();
+    /// Kinetic energy of this time, between the two half steps that its forces make.
+    double kinetic() { return kineticEnergy()[0]; }
     NodalWorks nodalWorks() const;
 
 private:

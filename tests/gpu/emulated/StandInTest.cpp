@@ -11,7 +11,7 @@ namespace fpm::standInTest {
 namespace {
 
 template <class T>
-using Device = Array<T, CudaExecutor>;
+using Device = Array<T, CudaSpace>;
 
 constexpr int threads = threadsPerBlock;
 constexpr std::size_t blockBytes = threads * sizeof(Index);
@@ -84,7 +84,7 @@ TEST_F(StandIn, ABarrierThatSomeThreadsMissFailsThisAndAllThatFollows)
     EXPECT_NE(failureOf(HalfWaits{}).find("128 of 256 threads wait at a barrier"),
               std::string::npos);
     EXPECT_NE(messageOf([&] { executor.parallelFor(1, Nothing{}); }), "");
-    EXPECT_NE(messageOf([&] { CudaExecutor::allocate(8); }), "");
+    EXPECT_NE(messageOf([&] { CudaSpace::allocate(8); }), "");
 }
 
 struct Ticket {
@@ -315,7 +315,7 @@ TEST_F(StandIn, ImpossibleLaunchesAndCopiesFail)
 
 TEST_F(StandIn, AModelThatDoesNotFitIsRefused)
 {
-    EXPECT_NE(messageOf([] { CudaExecutor::allocate(std::size_t(5) << 30); }).find("out of memory"),
+    EXPECT_NE(messageOf([] { CudaSpace::allocate(std::size_t(5) << 30); }).find("out of memory"),
               std::string::npos);
 }
 
@@ -326,8 +326,8 @@ TEST_F(StandIn, AModelThatWouldNotFitIsRefusedBeforeAnythingIsAllocated)
     Device<double> held(1000);
     ASSERT_EQ(cudaMemGetInfo(&free, &total), cudaSuccess);
     EXPECT_EQ(free, before - held.bytes());
-    EXPECT_EQ(messageOf([=] { CudaExecutor::requireMemory(free); }), "");
-    EXPECT_NE(messageOf([=] { CudaExecutor::requireMemory(free + 1); }).find("4096 MiB are free"),
+    EXPECT_EQ(messageOf([=] { CudaSpace::requireMemory(free); }), "");
+    EXPECT_NE(messageOf([=] { CudaSpace::requireMemory(free + 1); }).find("4096 MiB are free"),
               std::string::npos);
 }
 

@@ -21,7 +21,7 @@ std::vector<V> valley()
 void expectEqual(const OneContactor& a, const OneContactor& b)
 {
     EXPECT_GT(size(a.force(0)), 0);
-    EXPECT_DOUBLE_EQ(a.spring(), b.spring());
+    EXPECT_DOUBLE_EQ(a.springEnergy(), b.springEnergy());
     for (std::size_t i = 0; i < a.nodes().size(); ++i)
         EXPECT_LT(size(a.force(i) - b.force(i)), 1e-9) << "node " << i;
 }

@@ -54,9 +54,9 @@ public:
         if (setting_.faceThickness.empty()) setting_.faceThickness.assign(count, 10);
         for (Index node = 0; node < Index(x_.size()); ++node) contactNumber_.push_back(node);
         law_.count = 1;
-        law_.stored = stored_;
-        law_.storedFace = &storedFace_;
-        law_.spring = &spring_;
+        law_.tangentialForce = tangentialForce_;
+        law_.frictionFace = &frictionFace_;
+        law_.springEnergy = &springEnergy_;
         law_.dissipated = &dissipated_;
         law_.limitFactor = 1;
         law_.dampingRatio = setting_.damping;
@@ -85,9 +85,9 @@ public:
         const FaceCorners<double> corners = view().corners(face_, contactor_);
         const V held =
             FaceFrame<double>(corners).components(force, gapAtClosest(corners, xi_, eta_).normal);
-        stored_[0] = held.x;
-        stored_[1] = held.y;
-        storedFace_ = face_;
+        tangentialForce_[0] = held.x;
+        tangentialForce_[1] = held.y;
+        frictionFace_ = face_;
     }
     const std::vector<V>& nodes() const { return x_; }
     V force(std::size_t node) const
@@ -104,12 +104,13 @@ public:
     /// Energy of the tangential spring.
     double held() const
     {
-        return (stored_[0] * stored_[0] + stored_[1] * stored_[1])
+        return (tangentialForce_[0] * tangentialForce_[0]
+                + tangentialForce_[1] * tangentialForce_[1])
                / (2 * tangentialRatio * normalStiffness);
     }
     double lost() const { return dissipated_; }
     Index face() const { return face_; }
-    double spring() const { return spring_; }
+    double springEnergy() const { return springEnergy_; }
     bool onBorder() const { return std::abs(xi_) >= 1 || std::abs(eta_) >= 1; }
 
     ContactPassView<DoublePrecision> view()
@@ -165,8 +166,8 @@ private:
     StepClock clock_;
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
-    Index contactor_ = 0, face_, storedFace_ = 0;
-    double xi_ = 0, eta_ = 0, stored_[2]{}, spring_ = 0, dissipated_ = 0;
+    Index contactor_ = 0, face_, frictionFace_ = 0;
+    double xi_ = 0, eta_ = 0, tangentialForce_[2]{}, springEnergy_ = 0, dissipated_ = 0;
     double dampingForce_ = 0, damped_ = 0, heldStiffness_ = 0;
     float overlap_ = 0;
     std::int16_t ownNormal_[3]{};

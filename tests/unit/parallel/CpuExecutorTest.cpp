@@ -106,7 +106,7 @@ TEST(CpuExecutor, BatchesOfATeamFillTheRegister)
 
 TEST(Array, IsZeroAtFirstAndAlignedForVectors)
 {
-    const Array<double, Four> array(1000);
+    const Array<double, HostSpace> array(1000);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % 64, 0u);
     for (const double value : array.toHost()) EXPECT_EQ(value, 0);
 }
@@ -114,19 +114,19 @@ TEST(Array, IsZeroAtFirstAndAlignedForVectors)
 TEST(Array, BringsBackWhatItWasGiven)
 {
     const std::vector<int> values{3, 1, 4, 1, 5};
-    Array<int, Four> array(values);
+    Array<int, HostSpace> array(values);
     EXPECT_EQ(array.toHost(), values);
     EXPECT_EQ(array.bytes(), 5 * sizeof(int));
 }
 
 TEST(Array, MovesWithoutCopyingAndLeavesAnEmptyArray)
 {
-    Array<int, Four> first(std::vector<int>{1, 2});
+    Array<int, HostSpace> first(std::vector<int>{1, 2});
     const int* memory = first.data();
-    Array<int, Four> second(std::move(first));
+    Array<int, HostSpace> second(std::move(first));
     EXPECT_EQ(second.data(), memory);
     EXPECT_EQ(first.size(), 0u);
-    Array<int, Four> third;
+    Array<int, HostSpace> third;
     third = std::move(second);
     EXPECT_EQ(third.data(), memory);
     EXPECT_EQ(third.toHost(), (std::vector<int>{1, 2}));
@@ -134,7 +134,7 @@ TEST(Array, MovesWithoutCopyingAndLeavesAnEmptyArray)
 
 TEST(Array, MayBeEmpty)
 {
-    Array<double, Four> none(std::size_t(0));
+    Array<double, HostSpace> none(std::size_t(0));
     EXPECT_EQ(none.data(), nullptr);
     none.fromHost({});
     EXPECT_TRUE(none.toHost().empty());

@@ -181,7 +181,7 @@ TEST(InitialOverlap, WhatIsFirstFoundInsideInMidRampFadesWithTheRest)
     EXPECT_GT(foundAt, 4e-7);
     EXPECT_LT(foundAt, 2e-6);
     ASSERT_EQ(end.active, 4);
-    EXPECT_NEAR(end.spring, 4 * 0.5 * 70000.0 / 3 * 0.1 * 0.1 * 2.5, 1);
+    EXPECT_NEAR(end.springEnergy, 4 * 0.5 * 70000.0 / 3 * 0.1 * 0.1 * 2.5, 1);
     EXPECT_LT(jump, 0.06 * last);
 }
 

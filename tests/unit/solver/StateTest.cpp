@@ -183,7 +183,7 @@ void needs(const Model& model, const std::vector<std::string>& fields)
 TEST(State, HasNoIdleFields)
 {
     needs(impact(), {"velocity", "state", "plasticStrain", "partialForce", "interiorForce",
-                     "patchEnergy", "sum", "face", "friction", "dissipated", "startEnergy"});
+                     "patchEnergy", "sum", "face", "tangentialForce", "dissipated", "startEnergy"});
 }
 
 /// Where the host comes back, by the clock on the wall, say, changes nothing; and a pause is met at
