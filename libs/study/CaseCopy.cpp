@@ -109,14 +109,20 @@ OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folde
     return copy;
 }
 
-void removeCopy(const OutputFolder& output, const std::string& folder)
+void requireCopy(const OutputFolder& output, const std::string& folder)
 {
     const fs::path path = output.path(folder);
     std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) return;
     output.openFolder(folder); // refuses links
     if (!fs::is_empty(path) && !fs::is_regular_file(fs::symlink_status(path / markFile, error)))
         refuseStranger(path);
+}
+
+void removeCopy(const OutputFolder& output, const std::string& folder)
+{
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(output.path(folder), error))) return;
+    requireCopy(output, folder);
     removeTree(output, folder);
 }
 
