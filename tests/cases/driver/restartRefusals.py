@@ -124,13 +124,14 @@ def damage(path, change):
 
 def damages(size, draw, flips, cuts):
     """(name, change) of damages to a file."""
+    # The end of the file, where its label and its checksum stand, is met as often as all the rest.
     def flip(at, bit):
         return lambda content: content[:at] + bytes([content[at] ^ 1 << bit]) + content[at + 1:]
 
     def cut(at):
         return lambda content: content[:at]
     for _ in range(flips):
-        at, bit = draw.randrange(size), draw.randrange(8)
+        at, bit = draw.randrange(draw.choice((0, size - 200)), size), draw.randrange(8)
         yield f"bit {bit} of byte {at} flipped", flip(at, bit)
     for at in sorted({0, 1, 7, 8, size - 1, size - 8, size - 16, *(
             draw.randrange(size) for _ in range(cuts))}):
@@ -151,6 +152,8 @@ def neverWrong(case, marks, flips, cuts):
             marks.failures.append(f"{name}: status {done.returncode}\n{done.stdout[-500:]}")
         elif done.returncode == 0 and case.asInOneRun():
             marks.failures.append(f"{name}: a wrong restart")
+        elif done.returncode == 0 and "going on from the checkpoint" not in done.stdout:
+            marks.failures.append(f"{name}: it begins anew without a word")
     marks.note(f"{sum(ends.values())} damages of {size} bytes: " + ", ".join(
         f"{count} status {code}" for code, count in sorted(ends.items())))
 
