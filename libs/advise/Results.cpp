@@ -5,6 +5,7 @@
 #include "case/PerformanceRecord.h"
 #include "case/RunResults.h"
 #include "io/VtkHdf.h"
+#include "mesh/MeshFile.h"
 #include "mesh/Quality.h"
 #include "mesh/Vector.h"
 #include "model/NodeSelection.h"
@@ -16,10 +17,12 @@ namespace fpm {
 
 namespace {
 
-const ResultField* find(const std::vector<ResultField>& fields, const std::string& name)
+/// Nothing where there is none of this name with so many columns.
+const ResultField*
+find(const std::vector<ResultField>& fields, const std::string& name, std::size_t columns)
 {
     for (const ResultField& field : fields)
-        if (field.name == name) return &field;
+        if (field.name == name && field.columns == columns) return &field;
     return nullptr;
 }
 
@@ -54,7 +57,7 @@ public:
 
     void add(const Frame& frame, double time)
     {
-        const ResultField *u = find(frame.nodeFields, "U"), *v = find(frame.nodeFields, "V");
+        const ResultField *u = find(frame.nodeFields, "U", 3), *v = find(frame.nodeFields, "V", 3);
         if (results_.frames > 0)
             results_.longestStep = std::max(results_.longestStep, time - results_.lastTime);
         results_.lastTime = time;
@@ -95,9 +98,9 @@ private:
 
     void addStress(const Frame& frame, std::size_t part)
     {
-        const ResultField *s = find(frame.elementFields, "S"),
-                          *mises = find(frame.elementFields, "Mises"),
-                          *strain = find(frame.elementFields, "PEEQ");
+        const ResultField *s = find(frame.elementFields, "S", 6),
+                          *mises = find(frame.elementFields, "Mises", 1),
+                          *strain = find(frame.elementFields, "PEEQ", 1);
         const MeshPart& run = model_.mesh.parts[part];
         PartExtremes& most = results_.parts[part];
         double energy = 0;
@@ -150,8 +153,9 @@ readResults(const std::filesystem::path& caseRoot, const Model& model, Log& log)
     const RunResults found(caseRoot);
     found.report(log);
     ResultReader reader(model);
+    const FrameMesh mesh = frameMesh(model.mesh);
     for (const auto& [folder, time] : found.frames())
-        reader.add(readFrame(caseRoot / folder / "fields.vtkhdf"), time);
+        reader.add(readFrame(caseRoot / folder / "fields.vtkhdf", mesh), time);
     Results results = reader.take();
     if (results.frames < 2) return {};
     const auto performance = performanceOf(caseRoot, found.runId(), log);

@@ -56,6 +56,11 @@ public:
                 && !name.starts_with('.'))
                 addFrames(name);
         if (isPlainFolder(root_ / "postProcessing")) addMarked("postProcessing", 2);
+        if (isPlainFolder(root_ / checkpointFolder)) addCheckpoints();
+        // Laid out as the case, of the same run.
+        if (isPlainFolder(root_ / laterFolder) && root_.filename() != laterFolder)
+            for (const std::string& file : ResultSearch(root_ / laterFolder).take())
+                files_.push_back(std::string(laterFolder) + "/" + file);
     }
     std::vector<std::string> take() { return std::move(files_); }
 
@@ -78,6 +83,18 @@ private:
         add(folder + "/fields.vtkhdf");
         for (const std::string& name : foldersIn(folder))
             add(folder + "/" + name + "/fields.vtkhdf");
+    }
+
+    /// Whole or cut short.
+    void addCheckpoints()
+    {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(root_ / checkpointFolder, error)) {
+            const std::string name = entry.path().filename().string();
+            const bool isOurs = (name.starts_with("state.") || name == "next.h5")
+                                && name.ends_with(".h5") && isPlainFile(entry.path());
+            if (isOurs) files_.push_back(std::string(checkpointFolder) + "/" + name);
+        }
     }
 
     /// What fpmChart and fpmStability left is of many runs, in copies of the case.

@@ -54,9 +54,9 @@ private:
 std::optional<std::string> hdf5Label(const std::filesystem::path& file);
 
 /// Reads files of Hdf5Image without trust: the checksum over the whole file is compared before HDF5
-/// sees it; then hard links and unfiltered arrays of fixed-size numbers only, and sizes are
-/// compared with the file's before memory is asked for. What remains are HDF5's own faults on a
-/// file forged together with its checksum. Throws Error(mesh) naming the file.
+/// sees it, and HDF5 sees it in a child process only, which a file forged together with its
+/// checksum may crash. Nothing is taken but what lies behind hard links: plain arrays of fixed-size
+/// numbers, no larger than the file, and short attributes. Throws Error(mesh) naming the file.
 class Hdf5Reader
 {
 public:
@@ -64,6 +64,7 @@ public:
     ~Hdf5Reader();
     Hdf5Reader(Hdf5Reader&&) noexcept;
 
+    const std::string& label() const; ///< as it was given to Hdf5Image::save
     bool has(const std::string& path) const;
     bool hasAttribute(const std::string& group, const std::string& name) const;
     std::vector<std::string> children(const std::string& group) const; ///< sorted

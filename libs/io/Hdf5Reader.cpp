@@ -1,154 +1,111 @@
-#include "base/Format.h"
+#include "io/Hdf5Catalogue.h"
 #include "io/Hdf5File.h"
-#include "io/Hdf5Handle.h"
 #include "io/Hdf5Seal.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <type_traits>
 
 namespace fpm {
 
 using namespace hdf5;
 
 struct Hdf5Reader::Content {
-    std::filesystem::path name;
-    std::uint64_t size = 0; ///< of the file in bytes: no array can be longer
-    File file;
+    InputFile file;
+    std::string label;
+    Catalogue catalogue;
+
+    [[noreturn]] void refuse(const std::string& reason) const { hdf5::refuse(file.name(), reason); }
+
+    const ArrayPlace& array(const std::string& path) const
+    {
+        const auto found = catalogue.arrays.find(path);
+        if (found == catalogue.arrays.end())
+            refuse(path + (catalogue.groups.contains(path) ? " is no array" : " is missing"));
+        return found->second;
+    }
+
+    const AttributeValue& attribute(const std::string& group, const std::string& name) const
+    {
+        const auto found = catalogue.attributes.find({group, name});
+        if (found == catalogue.attributes.end())
+            refuse(group + " attribute " + name + " is missing");
+        return found->second;
+    }
 };
 
 namespace {
 
-constexpr std::size_t maxTextLength = 65536;
+static_assert(std::endian::native == std::endian::little, "as the numbers in the files");
 
-/// Whether the path leads from the root to an object over hard links alone: links to other files or
-/// to names that lie about where they lead are as good as absent.
-bool isHard(hid_t file, const std::string& path)
+/// Reads numbers stored as `Stored` into values of T.
+template <class Stored, class T>
+bool readAs(const InputFile& file, std::uint64_t offset, std::vector<T>& values)
 {
-    if (path == "/") return true;
-    for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
-        H5L_info_t info;
-        const std::string part = path.substr(0, end);
-        const bool found = H5Lget_info(file, part.c_str(), &info, H5P_DEFAULT) >= 0;
-        if (!found) H5Eclear2(H5E_DEFAULT);
-        if (!found || info.type != H5L_TYPE_HARD) return false;
-        if (end == std::string::npos) return true;
+    if constexpr (std::is_same_v<Stored, T>) {
+        return file.read(offset, std::as_writable_bytes(std::span(values)));
+    } else {
+        constexpr std::size_t blockLength = 1 << 16;
+        std::vector<Stored> block(std::min(blockLength, values.size()));
+        for (std::size_t first = 0; first < values.size(); first += blockLength) {
+            const auto part = std::span(block).first(std::min(blockLength, values.size() - first));
+            if (!file.read(offset + first * sizeof(Stored), std::as_writable_bytes(part)))
+                return false;
+            std::ranges::transform(part, values.begin() + std::ptrdiff_t(first),
+                                   [](Stored value) { return T(value); });
+        }
+        return true;
     }
 }
 
-template <class Content>
-void requireHard(const Content& content, const std::string& path)
+template <class T>
+bool readIntegers(const InputFile& file, const ArrayPlace& place, std::vector<T>& values)
 {
-    if (!isHard(content.file, path)) refuse(content.name, path + " is missing");
-}
-
-template <class Content, class Result>
-Result readable(const Content& content, Result result, const std::string& path)
-{
-    return checked(result, ExitCode::mesh,
-                   "cannot read " + path + " of '" + content.name.string() + "'");
-}
-
-bool isIntegerType(hid_t type)
-{
-    const std::array<hid_t, 8> allowed{H5T_STD_I8LE,  H5T_STD_U8LE,  H5T_STD_I16LE, H5T_STD_U16LE,
-                                       H5T_STD_I32LE, H5T_STD_U32LE, H5T_STD_I64LE, H5T_STD_U64LE};
-    return std::ranges::any_of(allowed, [&](hid_t one) { return H5Tequal(type, one) > 0; });
-}
-
-bool isFloatType(hid_t type)
-{
-    return H5Tequal(type, H5T_IEEE_F32LE) > 0 || H5Tequal(type, H5T_IEEE_F64LE) > 0;
-}
-
-/// An opened array with its shape, checked to be plain and no larger than the file.
-struct Array {
-    Dataset dataset;
-    std::array<hsize_t, 2> shape{0, 1};
-    bool isFloat = false;
-    std::size_t length() const { return std::size_t(shape[0] * shape[1]); }
-};
-
-template <class Content>
-void requirePlainStorage(const Content& content, const Dataset& dataset, const std::string& path)
-{
-    const Properties properties(readable(content, H5Dget_create_plist(dataset), path));
-    const H5D_layout_t layout = H5Pget_layout(properties);
-    if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT)
-        || H5Pget_external_count(properties) != 0)
-        refuse(content.name, path + " is stored chunked, filtered or outside of the file");
-}
-
-template <class Content>
-Array openArray(const Content& content, const std::string& path)
-{
-    requireHard(content, path);
-    Array array;
-    array.dataset =
-        Dataset(readable(content, H5Dopen2(content.file, path.c_str(), H5P_DEFAULT), path));
-    const Type type(readable(content, H5Dget_type(array.dataset), path));
-    array.isFloat = isFloatType(type);
-    if (!array.isFloat && !isIntegerType(type))
-        refuse(content.name, path + " holds neither integers nor IEEE numbers");
-    requirePlainStorage(content, array.dataset, path);
-    const Space space(readable(content, H5Dget_space(array.dataset), path));
-    const int rank = H5Sget_simple_extent_ndims(space);
-    if (rank != 1 && rank != 2)
-        refuse(content.name, format("{} has {} dimensions; 1 or 2 expected", path, rank));
-    readable(content, H5Sget_simple_extent_dims(space, array.shape.data(), nullptr), path);
-    const std::uint64_t limit = content.size / H5Tget_size(type);
-    if (array.shape[0] > limit || (array.shape[0] > 0 && array.shape[1] > limit / array.shape[0]))
-        refuse(content.name, format("{} claims {} x {} values, more than the file can hold", path,
-                                    std::uint64_t(array.shape[0]), std::uint64_t(array.shape[1])));
-    return array;
+    const bool isSigned = place.kind == NumberKind::signedInteger;
+    const std::uint64_t at = place.offset;
+    // Unsigned ones of 8 bytes are refused.
+    switch (place.bytesEach) {
+    case 1:
+        return isSigned ? readAs<std::int8_t>(file, at, values)
+                        : readAs<std::uint8_t>(file, at, values);
+    case 2:
+        return isSigned ? readAs<std::int16_t>(file, at, values)
+                        : readAs<std::uint16_t>(file, at, values);
+    case 4:
+        return isSigned ? readAs<std::int32_t>(file, at, values)
+                        : readAs<std::uint32_t>(file, at, values);
+    default:
+        return readAs<std::int64_t>(file, at, values);
+    }
 }
 
 template <class T, class Content>
-std::vector<T>
-readNumbers(const Content& content, const Array& array, const std::string& path, hid_t inMemory)
+std::vector<T> readNumbers(const Content& content, const std::string& path)
 {
-    std::vector<T> values(array.length());
-    if (values.empty()) return values;
-    readable(content,
-             H5Dread(array.dataset, inMemory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path);
+    const ArrayPlace& place = content.array(path);
+    std::vector<T> values(std::size_t(place.rows * place.columns));
+    bool isRead = true;
+    if constexpr (std::is_floating_point_v<T>)
+        isRead = place.kind != NumberKind::real ? readIntegers(content.file, place, values)
+                 : place.bytesEach == 4         ? readAs<float>(content.file, place.offset, values)
+                                        : readAs<double>(content.file, place.offset, values);
+    else if (place.kind == NumberKind::real)
+        content.refuse(path + " holds no integers");
+    else
+        isRead = readIntegers(content.file, place, values);
+    if (!isRead) content.refuse(path + ": read error");
     return values;
-}
-
-/// An opened attribute, its type and its number of values.
-struct OpenAttribute {
-    Attribute attribute;
-    Type type;
-    std::size_t length = 0;
-};
-
-template <class Content>
-OpenAttribute
-openAttribute(const Content& content, const std::string& group, const std::string& name)
-{
-    const std::string path = group + " attribute " + name;
-    requireHard(content, group);
-    OpenAttribute found;
-    const hid_t number =
-        H5Aopen_by_name(content.file, group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
-    found.attribute = Attribute(readable(content, number, path));
-    found.type = Type(readable(content, H5Aget_type(found.attribute), path));
-    const Space space(readable(content, H5Aget_space(found.attribute), path));
-    const hssize_t length = readable(content, H5Sget_simple_extent_npoints(space), path);
-    found.length = std::size_t(length);
-    if (found.length > maxTextLength) refuse(content.name, path + " is too long");
-    return found;
 }
 
 } // namespace
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : content_(std::make_unique<Content>())
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
 {
-    initialise();
-    content_->name = file;
-    content_->size = verifySeal(file);
-    const Properties access(readable(*content_, H5Pcreate(H5P_FILE_ACCESS), "/"));
-    // Complete files never change, and file systems without locks must do.
-    readable(*content_, H5Pset_file_locking(access, false, true), "/");
-    content_->file = File(readable(*content_, H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), "/"));
+    InputFile input(file);
+    std::string label = verifySeal(input);
+    Catalogue catalogue = catalogueOf(input);
+    content_ = std::make_unique<Content>(
+        Content{std::move(input), std::move(label), std::move(catalogue)});
 }
 
 Hdf5Reader::~Hdf5Reader() = default;
@@ -156,93 +113,92 @@ Hdf5Reader::Hdf5Reader(Hdf5Reader&&) noexcept = default;
 
 const std::filesystem::path& Hdf5Reader::file() const
 {
-    return content_->name;
+    return content_->file.name();
+}
+
+const std::string& Hdf5Reader::label() const
+{
+    return content_->label;
 }
 
 bool Hdf5Reader::has(const std::string& path) const
 {
-    return isHard(content_->file, path);
+    const Catalogue& catalogue = content_->catalogue;
+    return catalogue.groups.contains(path) || catalogue.arrays.contains(path);
 }
 
 bool Hdf5Reader::hasAttribute(const std::string& group, const std::string& name) const
 {
-    return isHard(content_->file, group)
-           && H5Aexists_by_name(content_->file, group.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+    return content_->catalogue.attributes.contains({group, name});
 }
 
 std::vector<std::string> Hdf5Reader::children(const std::string& group) const
 {
-    requireHard(*content_, group);
-    const Group opened(
-        readable(*content_, H5Gopen2(content_->file, group.c_str(), H5P_DEFAULT), group));
+    const Catalogue& catalogue = content_->catalogue;
+    if (!catalogue.groups.contains(group))
+        content_->refuse(group
+                         + (catalogue.arrays.contains(group) ? " is no group" : " is missing"));
+    const std::string above = group == "/" ? group : group + "/";
     std::vector<std::string> names;
-    const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
-        static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-        return 0;
+    const auto keep = [&](const std::string& path) {
+        if (path.size() > above.size() && path.starts_with(above)
+            && path.find('/', above.size()) == path.npos)
+            names.push_back(path.substr(above.size()));
     };
-    readable(*content_, H5Literate(opened, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &names),
-             group);
+    for (const auto& path : catalogue.groups) keep(path);
+    for (const auto& [path, place] : catalogue.arrays) keep(path);
     std::ranges::sort(names);
     return names;
 }
 
 std::size_t Hdf5Reader::columns(const std::string& path) const
 {
-    return std::size_t(openArray(*content_, path).shape[1]);
+    return std::size_t(content_->array(path).columns);
 }
 
 std::vector<double> Hdf5Reader::doubles(const std::string& path) const
 {
-    return readNumbers<double>(*content_, openArray(*content_, path), path, H5T_NATIVE_DOUBLE);
+    return readNumbers<double>(*content_, path);
 }
 
 std::vector<std::int64_t> Hdf5Reader::integers(const std::string& path) const
 {
-    const Array array = openArray(*content_, path);
-    if (array.isFloat) refuse(content_->name, path + " holds no integers");
-    return readNumbers<std::int64_t>(*content_, array, path, H5T_NATIVE_INT64);
+    return readNumbers<std::int64_t>(*content_, path);
 }
 
 std::vector<std::byte> Hdf5Reader::bytes(const std::string& path) const
 {
-    const Array array = openArray(*content_, path);
-    const Type type(readable(*content_, H5Dget_type(array.dataset), path));
-    if (H5Tget_size(type) != 1) refuse(content_->name, path + " holds no bytes");
-    return readNumbers<std::byte>(*content_, array, path, H5T_NATIVE_UINT8);
+    const ArrayPlace& place = content_->array(path);
+    if (place.bytesEach != 1) content_->refuse(path + " holds no bytes");
+    std::vector<std::byte> values(std::size_t(place.rows * place.columns));
+    if (!content_->file.read(place.offset, values)) content_->refuse(path + ": read error");
+    return values;
 }
 
 std::string Hdf5Reader::text(const std::string& group, const std::string& attribute) const
 {
-    const auto found = openAttribute(*content_, group, attribute);
-    const std::size_t size = H5Tget_size(found.type);
-    if (H5Tget_class(found.type) != H5T_STRING || H5Tis_variable_str(found.type) != 0
-        || found.length != 1 || size == 0 || size > maxTextLength)
-        refuse(content_->name, group + " attribute " + attribute + " is not a short text");
-    std::string value(size, '\0');
-    readable(*content_, H5Aread(found.attribute, found.type, value.data()), group);
-    return value.substr(0, value.find('\0'));
+    const auto* value = std::get_if<std::string>(&content_->attribute(group, attribute));
+    if (!value) content_->refuse(group + " attribute " + attribute + " is not a short text");
+    return *value;
 }
 
 std::vector<std::int64_t> Hdf5Reader::integers(const std::string& group,
                                                const std::string& attribute) const
 {
-    const auto found = openAttribute(*content_, group, attribute);
-    if (!isIntegerType(found.type))
-        refuse(content_->name, group + " attribute " + attribute + " holds no integers");
-    std::vector<std::int64_t> values(found.length);
-    if (!values.empty())
-        readable(*content_, H5Aread(found.attribute, H5T_NATIVE_INT64, values.data()), group);
-    return values;
+    const auto* values =
+        std::get_if<std::vector<std::int64_t>>(&content_->attribute(group, attribute));
+    if (!values) content_->refuse(group + " attribute " + attribute + " holds no integers");
+    return *values;
 }
 
 double Hdf5Reader::number(const std::string& group, const std::string& attribute) const
 {
-    const auto found = openAttribute(*content_, group, attribute);
-    if (found.length != 1 || (!isFloatType(found.type) && !isIntegerType(found.type)))
-        refuse(content_->name, group + " attribute " + attribute + " is not a number");
-    double value = 0;
-    readable(*content_, H5Aread(found.attribute, H5T_NATIVE_DOUBLE, &value), group);
-    return value;
+    const AttributeValue& value = content_->attribute(group, attribute);
+    const auto* reals = std::get_if<std::vector<double>>(&value);
+    const auto* integers = std::get_if<std::vector<std::int64_t>>(&value);
+    if (reals && reals->size() == 1) return reals->front();
+    if (integers && integers->size() == 1) return double(integers->front());
+    content_->refuse(group + " attribute " + attribute + " is not a number");
 }
 
 } // namespace fpm

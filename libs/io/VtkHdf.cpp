@@ -72,7 +72,6 @@ readFields(const Hdf5Reader& reader, const std::string& group, std::size_t rows)
     if (!reader.has(group)) return fields;
     for (const auto& name : reader.children(group)) {
         const std::string path = group + "/" + name;
-        if (!reader.has(path)) continue; // a link to the mesh
         ResultField field{name, reader.columns(path), reader.doubles(path)};
         if (field.columns == 0 || field.values.size() / field.columns != rows
             || field.values.size() % field.columns != 0)
@@ -85,14 +84,30 @@ readFields(const Hdf5Reader& reader, const std::string& group, std::size_t rows)
     return fields;
 }
 
-std::size_t readCount(const Hdf5Reader& reader, const std::string& name)
+[[noreturn]] void refuseFrame(const Hdf5Reader& reader, const std::string& reason)
 {
-    const auto counts = reader.integers("/fpm", name);
-    if (counts.size() != 1 || counts.front() < 0
-        || counts.front() > std::numeric_limits<Index>::max())
-        throw Error(ExitCode::mesh, format("'{}': {} is no number of nodes or elements",
-                                           reader.file().string(), name));
-    return std::size_t(counts.front());
+    throw Error(ExitCode::mesh, format("frame '{}' {}", reader.file().string(), reason),
+                "run fpmExplicit again");
+}
+
+/// The label is what decides which frames are of a run and its mesh.
+void requireLabel(const Hdf5Reader& reader, const Frame& frame)
+{
+    if (reader.label().empty()) return; // of an older version
+    const FrameLabel label = parseFrameLabel(reader.label());
+    if (!label.mark || label.mark->runId != frame.runId || label.mesh != frame.meshChecksum)
+        refuseFrame(reader, "names another run or mesh behind its content than in it");
+}
+
+void requireMesh(const Hdf5Reader& reader, const Frame& frame, const FrameMesh& mesh)
+{
+    const auto counts = [&](const std::string& name, std::size_t expected) {
+        const auto values = reader.integers("/fpm", name);
+        return values.size() == 1 && values.front() >= 0 && std::size_t(values.front()) == expected;
+    };
+    if (frame.meshChecksum != mesh.checksum || !counts("nodeCount", mesh.nodeCount)
+        || !counts("elementCount", mesh.elementCount))
+        refuseFrame(reader, "belongs to another mesh than this case has");
 }
 
 } // namespace
@@ -146,15 +161,17 @@ void writeFrame(const OutputFolder& theCase,
     image.save(theCase, file, label.text());
 }
 
-Frame readFrame(const std::filesystem::path& file)
+Frame readFrame(const std::filesystem::path& file, const FrameMesh& mesh)
 {
     const Hdf5Reader reader(file);
     Frame frame;
     frame.time = reader.number("/fpm", "TimeValue");
     frame.meshChecksum = reader.text("/fpm", "meshChecksum");
     if (reader.hasAttribute("/fpm", "runId")) frame.runId = reader.text("/fpm", "runId");
-    frame.nodeFields = readFields(reader, "/VTKHDF/PointData", readCount(reader, "nodeCount"));
-    frame.elementFields = readFields(reader, "/VTKHDF/CellData", readCount(reader, "elementCount"));
+    requireLabel(reader, frame);
+    requireMesh(reader, frame, mesh);
+    frame.nodeFields = readFields(reader, "/VTKHDF/PointData", mesh.nodeCount);
+    frame.elementFields = readFields(reader, "/VTKHDF/CellData", mesh.elementCount);
     return frame;
 }
 

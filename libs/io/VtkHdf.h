@@ -39,8 +39,16 @@ void writeFrame(const OutputFolder& theCase,
                 const Frame& frame,
                 std::size_t nodeCount,
                 std::size_t elementCount);
+
+/// The mesh that the fields of a frame must belong to.
+struct FrameMesh {
+    std::string checksum;
+    std::size_t nodeCount = 0, elementCount = 0;
+};
+
 /// Fields in alphabetical order. Takes nothing but the fields from the file: links to the mesh are
-/// not followed. Throws Error(mesh) for a damaged file.
-Frame readFrame(const std::filesystem::path& file);
+/// not followed. Throws Error(mesh) for a damaged file, one whose label and content name different
+/// runs or meshes, and one of another mesh.
+Frame readFrame(const std::filesystem::path& file, const FrameMesh& mesh);
 
 } // namespace fpm

@@ -5,7 +5,6 @@
 #include "io/Checksum.h"
 #include "io/FrameLabel.h"
 #include "io/Hdf5File.h"
-#include "io/VtkHdf.h"
 #include "mesh/Patches.h"
 
 #include <algorithm>
@@ -78,6 +77,11 @@ std::string meshChecksum(const Mesh& mesh)
         checksum.add(sides);
     }
     return checksum.text();
+}
+
+FrameMesh frameMesh(const Mesh& mesh)
+{
+    return {meshChecksum(mesh), mesh.points.size(), mesh.hexahedra.size()};
 }
 
 void writeMesh(const OutputFolder& theCase, const Mesh& mesh)

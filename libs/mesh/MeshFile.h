@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/OutputFolder.h"
+#include "io/VtkHdf.h"
 #include "mesh/Mesh.h"
 
 #include <filesystem>
@@ -18,5 +19,7 @@ void writeMesh(const OutputFolder& theCase, const Mesh& mesh);
 Mesh readMesh(const std::filesystem::path& file);
 /// Checksum of coordinates, connectivity, parts and sets (not of the contact surfaces).
 std::string meshChecksum(const Mesh& mesh);
+/// What frames of a run with this mesh must fit.
+FrameMesh frameMesh(const Mesh& mesh);
 
 } // namespace fpm

@@ -1,5 +1,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
+#include "io/FrameLabel.h"
 #include "io/Hdf5File.h"
 #include "mesh/MeshFile.h"
 #include "mesh/Patches.h"
@@ -32,8 +33,12 @@ public:
         for (const auto& name : children("/fpm/sideSets"))
             mesh_.sideSets[name] = sides("/fpm/sideSets/" + name);
         readContact();
-        if (reader_.text("/fpm", "meshChecksum") != meshChecksum(mesh_))
+        const std::string checksum = meshChecksum(mesh_);
+        if (reader_.text("/fpm", "meshChecksum") != checksum)
             fail("the checksum of its arrays does not match");
+        // Frames are compared with the label. Files of older versions have none.
+        if (!reader_.label().empty() && parseFrameLabel(reader_.label()).mesh != checksum)
+            fail("its label names another checksum than that of its arrays");
         return std::move(mesh_);
     }
 

@@ -24,8 +24,8 @@ class Session
 public:
     Session()
     {
-        // A user's ~/.gmshrc must not change meshes, and the toolkit that gmsh draws with must write
-        // no preferences there; one thread makes meshes repeatable.
+        // A user's ~/.gmshrc must not change meshes, and the toolkit that gmsh draws with must
+        // write no preferences there; one thread makes meshes repeatable.
         ::setenv("HOME", "/dev/null", 1);
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);

@@ -1,9 +1,9 @@
 #include "mesher/ImportedMesh.h"
 
+#include "base/Bytes.h"
 #include "base/ChildProcess.h"
 #include "base/Error.h"
 #include "base/Format.h"
-#include "mesher/Bytes.h"
 #include "mesher/MshText.h"
 
 #include <gmsh.h>
@@ -187,7 +187,7 @@ std::string readInGmsh(const std::string& name, const std::string& path, bool is
 
 ImportedMesh unpack(const std::string& answer, const std::string& name)
 {
-    ByteReader bytes(answer);
+    ByteReader bytes(answer, name);
     const std::string foreign = bytes.text();
     ImportedMesh mesh;
     mesh.hexahedra.points = bytes.vector<Point>();

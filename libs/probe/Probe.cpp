@@ -50,6 +50,7 @@ public:
 
 private:
     const Mesh& mesh();
+    const FrameMesh& framesMesh();
     std::optional<Frame> load(const FrameTime& time);
     std::vector<FrameTime> framesFor(const TimeSelection& selection, const std::string& what);
     void makePicture(const PictureSpec& spec);
@@ -68,6 +69,7 @@ private:
     RunResults results_;
     const std::vector<FrameTime>& all_;
     std::optional<Mesh> mesh_;
+    std::optional<FrameMesh> framesMesh_;
 };
 
 const Mesh& ProbeRun::mesh()
@@ -76,12 +78,19 @@ const Mesh& ProbeRun::mesh()
     return *mesh_;
 }
 
+const FrameMesh& ProbeRun::framesMesh()
+{
+    if (!framesMesh_) framesMesh_ = frameMesh(mesh());
+    return *framesMesh_;
+}
+
 /// A frame the solver removed since the list was made (purgeWrite) is passed over with a line.
 std::optional<Frame> ProbeRun::load(const FrameTime& time)
 {
     const std::string relative = time.first + "/fields.vtkhdf";
+    const FrameMesh& mesh = framesMesh();
     try {
-        return readFrame(case_.path(relative));
+        return readFrame(case_.path(relative), mesh);
     } catch (const Error&) {
         if (case_.hasFile(relative)) throw;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/LaterResults.h"
 #include "fields/FieldSet.h"
 #include "io/OutputFolder.h"
 #include "run/RunInputs.h"
@@ -12,7 +13,6 @@
 
 namespace fpm {
 
-inline constexpr const char* checkpointFolder = "checkpoint";
 /// The newest; those before it are state.1.h5, state.2.h5, ...
 inline constexpr const char* checkpointFile = "checkpoint/state.h5";
 

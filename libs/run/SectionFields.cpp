@@ -80,6 +80,11 @@ double misesOf(const Sym3<double>& s)
     return std::sqrt(1.5 * contract(deviator, deviator));
 }
 
+/// Strength over three times the shear modulus below which it is rounding of the stress, as at the
+/// apex of a cone: there any Mises stress makes the point yield, and the ratio of two roundings
+/// says nothing.
+constexpr double noStrength = 1e-8;
+
 /// The largest over the integration points.
 template <class Law>
 double utilisationOf(const Element& element, double bending)
@@ -94,7 +99,9 @@ double utilisationOf(const Element& element, double bending)
         const double rise = layout.heats ? element.strain(layout.temperature(point)) : 0;
         const double yield =
             Law::template strength<double>(m, {element.strain(point), bending, rise, 0.0}, stress);
-        if (yield > 0) most = std::max(most, sectionStress(misesOf(shifted), bending) / yield);
+        most = std::max(most, yield > noStrength * m.threeMu
+                                  ? sectionStress(misesOf(shifted), bending) / yield
+                                  : 1);
     }
     return most;
 }

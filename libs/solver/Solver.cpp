@@ -180,7 +180,7 @@ void Solver::followDeletions(StepClock& now)
     if (renewal_ && renewal_->follow(deleted)) {
         backend_.forgetSteps();
         lists_.renew();
-        now.listsValidUntil = now.steps;
+        if (lists_.areChecked()) now.listsValidUntil = now.steps;
         // Forces that vanish between the two half steps of this time do not do their second half
         // work, which the springs have given up already.
         fields_.ledger.lostSpring += before - ledger_.kinetic();

@@ -4,6 +4,7 @@
 #include "io/Checksum.h"
 #include "io/Table.h"
 
+#include <cmath>
 #include <fstream>
 
 namespace fpm {
@@ -28,6 +29,13 @@ std::string rowText(const std::vector<double>& values)
     }
     text += '\n';
     return text;
+}
+
+/// Whether a row may be a point that was run: the file may be damaged, or by another hand.
+bool isPoint(const std::vector<double>& row)
+{
+    const double outcome = row[3];
+    return row[2] == 1 && outcome == std::floor(outcome) && outcome >= 0 && outcome < outcomeCount;
 }
 
 } // namespace
@@ -83,7 +91,7 @@ void readMap(const std::filesystem::path& file, StabilityMap& map, const std::st
     for (std::size_t k = 0; k < table.rows.size(); ++k) {
         const std::vector<double>& row = table.rows[k];
         if (row[8] > 0) map.rows[k / columns] = Bounds{row[8], row[9], row[10], row[11]};
-        if (row[2] == 0) continue;
+        if (!isPoint(row)) continue;
         MapPoint point;
         point.result = {Outcome(int(row[3])), row[4], row[5], row[6]};
         point.predictedStable = row[7] != 0;

@@ -94,7 +94,7 @@ std::vector<std::string> meshFiles(const Dictionary& meshDict)
 
 bool isResult(const std::string& name)
 {
-    static const std::vector<std::string> names{"postProcessing", "checkpoint", laterFolder,
+    static const std::vector<std::string> names{"postProcessing", checkpointFolder, laterFolder,
                                                 "failed",         "status",     "why.txt"};
     const bool isTime = name != "0" && readNumber(name).has_value();
     return isTime || name.starts_with("log.") || name.ends_with(".series")
@@ -109,14 +109,20 @@ OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folde
     return copy;
 }
 
-void removeCopy(const OutputFolder& output, const std::string& folder)
+void requireCopy(const OutputFolder& output, const std::string& folder)
 {
     const fs::path path = output.path(folder);
     std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) return;
     output.openFolder(folder); // refuses links
     if (!fs::is_empty(path) && !fs::is_regular_file(fs::symlink_status(path / markFile, error)))
         refuseStranger(path);
+}
+
+void removeCopy(const OutputFolder& output, const std::string& folder)
+{
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(output.path(folder), error))) return;
+    requireCopy(output, folder);
     removeTree(output, folder);
 }
 

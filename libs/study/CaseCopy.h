@@ -18,8 +18,10 @@ struct CaseChange {
 /// An empty folder for a copy of a case, with the mark by which removeCopy knows it. Throws
 /// Error(fileIo) where there is a folder that has something in it.
 OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folder);
-/// Removes a copy, or does nothing where there is none. Throws Error(fileIo) for a folder that
-/// makeCopyFolder did not make: a person may have put it there.
+/// Throws Error(fileIo) for a link, and for a folder that makeCopyFolder did not make: a person may
+/// have put it there.
+void requireCopy(const OutputFolder& output, const std::string& folder);
+/// Removes a copy, or does nothing where there is none. Throws as requireCopy.
 void removeCopy(const OutputFolder& output, const std::string& folder);
 /// Lets a copy be a case as any other.
 void keepCopy(const OutputFolder& copy);

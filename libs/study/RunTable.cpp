@@ -4,6 +4,8 @@
 #include "base/Format.h"
 #include "dictionary/Number.h"
 
+#include <fcntl.h>
+
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -79,6 +81,9 @@ RunTable::RunTable(const OutputFolder& output, const std::string& file)
       file_(file)
 {
     const auto path = output.path(file);
+    if (std::error_code error;
+        std::filesystem::exists(std::filesystem::symlink_status(path, error)))
+        output.open(file, O_RDONLY); // refuses links
     std::ifstream stream(path);
     int number = 0;
     for (std::string line; std::getline(stream, line);) {

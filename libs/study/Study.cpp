@@ -134,7 +134,7 @@ void Study::prepare(std::size_t run, int repeat)
     const std::string folder = copyOf(run, repeat);
     const fs::path path = output_.path(folder);
     if (std::error_code error; fs::exists(fs::symlink_status(path, error))) {
-        output_.openFolder(folder);            // refuses links
+        requireCopy(output_, folder);
         const CaseLock lock(path, "fpmChart"); // refuses while a stray run still works there
         if (repeat == 1) table_.removeRun(runs_[run].name);
         removeCopy(output_, folder);

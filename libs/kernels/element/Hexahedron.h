@@ -170,13 +170,13 @@ struct ReducedHexahedron {
                                             const T& mass,
                                             ScalarOf<T> rate,
                                             ScalarOf<T> strainPoint,
-                                            const Points& points)
+                                            const Points& pointStates)
     {
         ElementState<T> state;
-        points.read(0, state);
+        pointStates.read(0, state);
         const ElementStep<T> step =
             updateHexahedron<Material, Hourglass>(m, x, increment, mass, rate, strainPoint, state);
-        points.store(0, state, step);
+        pointStates.store(0, state, step);
         return step;
     }
 };

@@ -255,9 +255,9 @@ struct SelectiveHexahedron {
                                             const T& mass,
                                             ScalarOf<T> rate,
                                             ScalarOf<T>,
-                                            const Points& points)
+                                            const Points& pointStates)
     {
-        return updateSelective<Material>(m, x, increment, mass, rate, points);
+        return updateSelective<Material>(m, x, increment, mass, rate, pointStates);
     }
 };
 

@@ -73,7 +73,7 @@ void ContactLists::check(Index steps)
 std::int64_t ContactLists::stepsToCheck(const StepClock& now) const
 {
     constexpr std::int64_t never = std::int64_t(1) << 62;
-    if (when_ != When::whenInvalid) return never;
+    if (!areChecked()) return never;
     return now.step > 0 ? std::max<std::int64_t>(0, now.listsValidUntil - now.steps) : 0;
 }
 

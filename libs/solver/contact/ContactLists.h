@@ -24,6 +24,8 @@ public:
                  std::int64_t interval);
 
     bool any() const { return when_ != When::never; }
+    /// By the list check, which says until when they are valid.
+    bool areChecked() const { return when_ == When::whenInvalid; }
     /// Searches in all passes as a whole, between steps.
     void searchNow();
     /// Checks whether lists stay valid for so many steps, where needed; part of what a graph

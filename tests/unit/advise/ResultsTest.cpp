@@ -105,4 +105,37 @@ TEST_F(ResultsTest, AreNoneOfAnotherMesh)
     EXPECT_NE(said_.find("left out: 2 frames of another mesh"), said_.npos) << said_;
 }
 
+TEST_F(ResultsTest, RefuseAForgedFrameWithFewerNodes)
+{
+    addFrame("0", 0, "one");
+    folder_.write("status", "state finished; runId one;\n");
+    Frame frame;
+    frame.time = 1;
+    frame.runId = "one";
+    frame.nodeFields = {{"U", 3, {0, 0, 0}}};
+    frame.elementFields = {{"S", 6, {0, 0, 0, 0, 0, 0}}};
+    writeFrame(OutputFolder(folder_.root()), "1", frame, 1, 1);
+
+    EXPECT_THROW(read(), Error);
+}
+
+TEST_F(ResultsTest, PassOverAForgedFieldWithFewerColumns)
+{
+    addFrame("0", 0, "one");
+    folder_.write("status", "state finished; runId one;\n");
+    Frame frame;
+    frame.time = 1;
+    frame.runId = "one";
+    const std::size_t nodes = model_.mesh.points.size();
+    const std::size_t elements = model_.mesh.hexahedra.size();
+    frame.nodeFields = {{"U", 1, std::vector<double>(nodes, 9)}};
+    frame.elementFields = {{"S", 1, std::vector<double>(elements, 9)}};
+    writeFrame(OutputFolder(folder_.root()), "1", frame, nodes, elements);
+
+    const auto results = read();
+
+    ASSERT_TRUE(results);
+    EXPECT_EQ(results->high[0][2], model_.mesh.points[0][2]);
+}
+
 } // namespace fpm::test

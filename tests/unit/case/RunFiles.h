@@ -53,6 +53,11 @@ public:
              {"postProcessing/tip/0/displacement.dat", "postProcessing/end/0/U.dat",
               "postProcessing/pictures/mises_0.svg", "postProcessing/plots/tip.svg"})
             marked(file);
+        for (const char* file : {"checkpoint/state.h5", "checkpoint/state.1.h5", "later/why.txt"})
+            folder_.write(file, "of the run");
+        Frame later;
+        later.runId = runId_;
+        writeFrame(OutputFolder(folder_.root()).inner("later"), "7e-05", later, 8, 1);
         PerformanceRecord performance;
         performance.runId = runId_;
         folder_.write(performanceFile, performance.text());

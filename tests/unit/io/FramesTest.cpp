@@ -51,7 +51,7 @@ TEST(Frames, AreListedInAscendingOrderWithRunAndMesh)
     EXPECT_EQ(frames[4].runId, "two");
     EXPECT_EQ(frames[4].meshChecksum, "fedcba9876543210");
     EXPECT_EQ(frames[5].runId, "");
-    EXPECT_EQ(readFrame(folder / "2/fields.vtkhdf").runId, "two");
+    EXPECT_EQ(readFrame(folder / "2/fields.vtkhdf", {"fedcba9876543210", 8, 1}).runId, "two");
 }
 
 TEST(Frames, CutShortAreNamed)

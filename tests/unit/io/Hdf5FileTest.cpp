@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "io/Checksum.h"
+#include "io/Hdf5Handle.h"
 #include "io/Hdf5Seal.h"
 #include "support/TemporaryFolder.h"
 
@@ -9,6 +10,7 @@
 #include <hdf5.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -209,7 +211,7 @@ TEST(Hdf5File, DoesNotFollowLinks)
     image.link("/group/doubles", "target.h5", "/a/b/doubles");
     image.save(OutputFolder(folder.path()), "file.h5");
     const auto soft = craftedFile(folder, [](hid_t file) {
-        writeDataset(file, H5T_IEEE_F64LE, {2});
+        writeDataset(file, H5T_IEEE_F64LE, {0});
         H5Lcreate_soft("/data", file, "/soft", H5P_DEFAULT, H5P_DEFAULT);
     });
 
@@ -220,6 +222,7 @@ TEST(Hdf5File, DoesNotFollowLinks)
     EXPECT_NE(refusal([&] { reader.doubles("/outside/b/doubles"); }), "");
     EXPECT_NE(refusal([&] { reader.doubles("/group/doubles"); }), "");
     EXPECT_NE(refusal([&] { reader.text("/outside", "text"); }), "");
+    EXPECT_EQ(refusal([&] { Hdf5Reader(soft).doubles("/data"); }), "");
     EXPECT_NE(refusal([&] { Hdf5Reader(soft).doubles("/soft"); }), "");
 }
 
@@ -260,10 +263,115 @@ TEST(Hdf5File, RefusesOtherTypesAndStorage)
     EXPECT_NE(read(H5T_STD_REF_OBJ, {2}, H5P_DEFAULT), "");
     EXPECT_NE(read(H5T_IEEE_F64LE, {2, 2, 2}, H5P_DEFAULT), "");
     EXPECT_NE(read(H5T_IEEE_F64LE, {16}, chunked), "");
-    EXPECT_NE(read(H5T_IEEE_F64LE, {8}, external), "");
+    EXPECT_NE(read(H5T_IEEE_F64LE, {8}, external).find("outside of the file"), std::string::npos);
+    EXPECT_NE(read(H5T_STD_U64LE, {2}, H5P_DEFAULT), "");
     H5Pclose(external);
     H5Pclose(chunked);
     H5Tclose(text);
+}
+
+TEST(Hdf5File, RefusesVirtualAndCompactStorage)
+{
+    const TemporaryFolder folder;
+    exampleImage().save(OutputFolder(folder.path()), "source.h5");
+    const hsize_t length = 2;
+    const hid_t space = H5Screate_simple(1, &length, nullptr);
+    const hid_t elsewhere = H5Pcreate(H5P_DATASET_CREATE), compact = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_virtual(elsewhere, space, (folder / "source.h5").c_str(), "/a/floats", space);
+    H5Pset_layout(compact, H5D_COMPACT);
+
+    for (const hid_t properties : {elsewhere, compact}) {
+        const auto file = craftedFile(
+            folder, [&](hid_t id) { writeDataset(id, H5T_IEEE_F64LE, {2}, properties); });
+        EXPECT_NE(refusal([&] { Hdf5Reader{file}; }).find("/data is stored"), std::string::npos);
+    }
+    H5Pclose(compact);
+    H5Pclose(elsewhere);
+    H5Sclose(space);
+}
+
+TEST(Hdf5File, RefusesWhatItDoesNotWrite)
+{
+    const TemporaryFolder folder;
+    const auto read = [&](const auto& fill) {
+        const auto file = craftedFile(folder, fill);
+        return refusal([&] { Hdf5Reader{file}; });
+    };
+    const auto addGroup = [](hid_t above, const std::string& name, hid_t properties = H5P_DEFAULT) {
+        const hid_t group = H5Gcreate2(above, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT);
+        ASSERT_GE(group, 0);
+        H5Gclose(group);
+    };
+    const auto has = [](const std::string& text, const char* words) {
+        return text.find(words) != std::string::npos;
+    };
+
+    const hid_t filtered = H5Pcreate(H5P_GROUP_CREATE);
+    H5Pset_deflate(filtered, 1);
+    EXPECT_TRUE(has(read([&](hid_t file) { addGroup(file, "g", filtered); }), "/g has filters"));
+    H5Pclose(filtered);
+    EXPECT_TRUE(has(read([](hid_t file) { writeDataset(file, H5T_IEEE_F64LE, {2}); }),
+                    "/data lies outside")); // no values were written
+    EXPECT_TRUE(has(read([](hid_t file) {
+                        const hid_t type = H5Tcopy(H5T_IEEE_F64LE);
+                        H5Tcommit2(file, "t", type, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+                        H5Tclose(type);
+                    }),
+                    "/t is neither a group nor an array"));
+    EXPECT_TRUE(has(read([&](hid_t file) { addGroup(file, "line\nbreak"); }), "cannot be used"));
+    EXPECT_TRUE(has(read([&](hid_t file) {
+                        addGroup(file, "g");
+                        H5Lcreate_hard(file, "/", file, "/g/up", H5P_DEFAULT, H5P_DEFAULT);
+                    }),
+                    "deeper in each other"));
+}
+
+TEST(Hdf5File, LoadsNoPlugins)
+{
+    hdf5::initialise();
+    unsigned state = 1;
+
+    EXPECT_GE(H5PLget_loading_state(&state), 0);
+
+    EXPECT_EQ(state, 0U);
+}
+
+TEST(Hdf5File, ReadsNumbersOfEveryWidth)
+{
+    const TemporaryFolder folder;
+    const auto file = craftedFile(folder, [](hid_t id) {
+        const hsize_t length = 3;
+        const std::int64_t values[]{1, -2, 100};
+        const hid_t space = H5Screate_simple(1, &length, nullptr);
+        int number = 0;
+        for (const hid_t type : {H5T_STD_I8LE, H5T_STD_I16LE, H5T_STD_I32LE, H5T_STD_I64LE}) {
+            const hid_t data = H5Dcreate2(id, std::to_string(number++).c_str(), type, space,
+                                          H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+            H5Dwrite(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+            H5Dclose(data);
+        }
+        H5Sclose(space);
+    });
+    const Hdf5Reader reader(file);
+
+    for (const std::string path : {"/0", "/1", "/2", "/3"}) {
+        EXPECT_EQ(reader.integers(path), (std::vector<std::int64_t>{1, -2, 100})) << path;
+        EXPECT_EQ(reader.doubles(path), (std::vector<double>{1, -2, 100})) << path;
+    }
+}
+
+TEST(Hdf5File, ReadsArraysLongerThanABlock)
+{
+    const TemporaryFolder folder;
+    std::vector<float> values(200001);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(i);
+    Hdf5Image image;
+    image.write("/a", std::span<const float>(values));
+    image.save(OutputFolder(folder.path()), "file.h5");
+
+    const auto read = Hdf5Reader(folder / "file.h5").doubles("/a");
+
+    EXPECT_TRUE(std::ranges::equal(read, values));
 }
 
 TEST(Hdf5File, CarriesALabelThatIsReadWithoutOpeningIt)

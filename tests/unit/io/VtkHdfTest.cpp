@@ -17,6 +17,8 @@ const std::vector<Point> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 const std::vector<std::array<Index, 8>> oneCell{{0, 1, 2, 3, 4, 5, 6, 7}};
 
+const FrameMesh meshOfFrames{"0123456789abcdef", 8, 1};
+
 Frame exampleFrame(double time)
 {
     Frame frame;
@@ -79,7 +81,7 @@ TEST(VtkHdf, ReadsBackAFrame)
     writeMeshOf(folder.path());
 
     writeFrame(OutputFolder(folder.path()), "0.00015", exampleFrame(1.5e-4), 8, 1);
-    const Frame frame = readFrame(folder / "0.00015/fields.vtkhdf");
+    const Frame frame = readFrame(folder / "0.00015/fields.vtkhdf", meshOfFrames);
 
     EXPECT_EQ(frame.time, 1.5e-4);
     EXPECT_EQ(frame.meshChecksum, "0123456789abcdef");
@@ -116,7 +118,7 @@ TEST(VtkHdf, AFrameShowsTheNumbersOfTheMeshAndHoldsNoneItself)
     const auto file = folder / "0/fields.vtkhdf";
     EXPECT_EQ(linkAt(file, "/VTKHDF/PointData/NodeId"), H5L_TYPE_EXTERNAL);
     EXPECT_EQ(linkAt(file, "/VTKHDF/CellData/ElementId"), H5L_TYPE_EXTERNAL);
-    const Frame frame = readFrame(file);
+    const Frame frame = readFrame(file, meshOfFrames);
     EXPECT_EQ(frame.meshChecksum, "0123456789abcdef");
     EXPECT_EQ(frame.nodeFields.size(), 1U);
     EXPECT_EQ(frame.elementFields.size(), 2U);
@@ -146,10 +148,51 @@ TEST(VtkHdf, RefusesFieldsOfTheWrongLength)
 TEST(VtkHdf, RefusesADamagedFrame)
 {
     const TemporaryFolder folder;
+    writeMeshOf(folder.path());
     writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
+    EXPECT_NO_THROW(readFrame(folder / "0/fields.vtkhdf", meshOfFrames));
     std::string bytes = readBytes(folder / "0/fields.vtkhdf");
     bytes[bytes.size() / 2] ^= 4;
     writeBytes(folder / "0/fields.vtkhdf", bytes);
 
-    EXPECT_THROW(readFrame(folder / "0/fields.vtkhdf"), Error);
+    EXPECT_THROW(readFrame(folder / "0/fields.vtkhdf", meshOfFrames), Error);
+}
+
+TEST(VtkHdf, RefusesAFrameOfAnotherMesh)
+{
+    const TemporaryFolder folder;
+    writeMeshOf(folder.path());
+    writeFrame(OutputFolder(folder.path()), "0", exampleFrame(0), 8, 1);
+    const auto file = folder / "0/fields.vtkhdf";
+
+    EXPECT_NO_THROW(readFrame(file, meshOfFrames));
+    EXPECT_THROW(readFrame(file, {"fedcba9876543210", 8, 1}), Error);
+    EXPECT_THROW(readFrame(file, {"0123456789abcdef", 9, 1}), Error);
+    EXPECT_THROW(readFrame(file, {"0123456789abcdef", 8, 2}), Error);
+}
+
+TEST(VtkHdf, RefusesAFrameWhoseLabelNamesAnotherRunOrMesh)
+{
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& label) {
+        Hdf5Image image;
+        image.attribute("/fpm", "TimeValue", 0.5);
+        image.attribute("/fpm", "nodeCount", std::array<std::int64_t, 1>{8});
+        image.attribute("/fpm", "elementCount", std::array<std::int64_t, 1>{1});
+        image.attribute("/fpm", "meshChecksum", "0123456789abcdef");
+        image.attribute("/fpm", "runId", "one");
+        image.save(OutputFolder(folder.path()), "frame", label);
+        try {
+            readFrame(folder / "frame", meshOfFrames);
+        } catch (const Error& error) {
+            return std::string(error.what()).find("another run or mesh") != std::string::npos;
+        }
+        return false;
+    };
+
+    EXPECT_FALSE(refused("fpm run one 0/fields.vtkhdf mesh 0123456789abcdef"));
+    EXPECT_FALSE(refused("")); // of an older version
+    EXPECT_TRUE(refused("fpm run two 0/fields.vtkhdf mesh 0123456789abcdef"));
+    EXPECT_TRUE(refused("fpm run one 0/fields.vtkhdf mesh fedcba9876543210"));
+    EXPECT_TRUE(refused("mesh 0123456789abcdef"));
 }

@@ -1,8 +1,10 @@
 #include "mesh/MeshFile.h"
 
 #include "base/Error.h"
+#include "io/Checksum.h"
 #include "io/Frames.h"
 #include "io/Hdf5File.h"
+#include "io/Hdf5Seal.h"
 #include "io/VtkHdf.h"
 #include "mesh/Patches.h"
 #include "mesh/Surface.h"
@@ -254,4 +256,26 @@ TEST(MeshFile, RefusesDamagedBytes)
         test::replaceByte(file, place, bytes[place]);
     }
     EXPECT_EQ(meshChecksum(readMesh(file)), meshChecksum(exampleMesh()));
+}
+
+TEST(MeshFile, RefusesALabelOfAnotherChecksum)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / meshFile;
+    writeMesh(OutputFolder(folder.path()), exampleMesh());
+    std::string bytes = test::readBytes(file);
+    bytes.resize(bytes.size() - sizeof(hdf5::Seal));
+    bytes.back() = bytes.back() == '0' ? '1' : '0'; // the last digit of the label
+    Checksum checksum;
+    checksum.add(std::as_bytes(std::span(bytes)));
+    const std::size_t labelLength = hdf5Label(file)->size();
+    for (const std::byte one : hdf5::makeSeal(checksum.value(), labelLength)) bytes += char(one);
+    test::writeBytes(file, bytes);
+
+    try {
+        readMesh(file);
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("its label"), std::string::npos) << error.what();
+    }
 }

@@ -137,8 +137,8 @@ TEST(ControlReader, RefusesValuesItCouldNotHonour)
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; startFrom -2;"); }), ">= 0"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; stopAt now;"); }), "noWriteNow"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl cpuTime;"); }), "clockTime"));
-    EXPECT_TRUE(contains(refusal([] { read("endTime 1; writeControl timeStep;"); }),
-                         "writeInterval"));
+    EXPECT_TRUE(
+        contains(refusal([] { read("endTime 1; writeControl timeStep;"); }), "writeInterval"));
     EXPECT_TRUE(contains(refusal([] { read("endTime 1; checkpoint { keep -1; }"); }), "keep"));
     for (const char* step : {"deltaT 1e-8;", "adjustTimeStep yes;", "maxCo 0.5;"})
         EXPECT_TRUE(contains(refusal([&] { read("endTime 1; " + std::string(step)); }),

@@ -1,6 +1,7 @@
 #include "run/SectionFields.h"
 
 #include "kernels/element/Deletion.h"
+#include "model/PartMaterial.h"
 #include "run/resultFrame.h"
 #include "unit/solver/scenes.h"
 
@@ -116,6 +117,44 @@ TEST(SectionFields, UtilisationIsOneWhereTheSectionFlowsAndNeverMore)
     }
     EXPECT_NEAR(most, 1, 1e-6);
     EXPECT_LT(leastAlone, 0.7); // the stress at the centre alone would not tell
+}
+
+// Torn in all directions, or with a free surface and no cohesion: no Mises stress is borne there.
+TEST(SectionFields, UtilisationIsOneAtTheApexOfACone)
+{
+    for (const Precision precision : {Precision::double_, Precision::mixed, Precision::single})
+        for (const double cohesion : {2.0, 0.0}) {
+            Part part = undamped(kindOf<DruckerPrager>, HourglassForm::physical);
+            part.density = 2e-9;
+            part.youngsModulus = 5000;
+            part.poissonsRatio = 0.25;
+            part.lawValues = {cohesion, 30, 0};
+            const auto utilisations = [&](double strainRate) {
+                Model model = boxModel({1, 1, 1}, {1, 1, 1}, part);
+                model.control.precision = precision;
+                for (std::size_t i = 0; i < 8; ++i) {
+                    const Point& p = model.mesh.points[i];
+                    model.initialVelocities.push_back(
+                        {"",
+                         {Index(i)},
+                         {strainRate * (p[0] + 0.1 * p[1]), strainRate * p[1], strainRate * p[2]}});
+                }
+                const auto solver = startedSolver(model);
+                std::vector<double> out;
+                for (int step = 0; step < 8; ++step) {
+                    solver->advance(1, 1);
+                    out.push_back(fieldsOf(*solver, model).utilisation[0]);
+                }
+                return out;
+            };
+            const std::vector<double> torn = utilisations(1e4);
+            for (std::size_t step = 4; step < torn.size(); ++step) EXPECT_EQ(torn[step], 1);
+            const std::vector<double> pressed = utilisations(-20); // it springs back later
+            for (std::size_t step = 1; step < 3; ++step) {
+                EXPECT_GT(pressed[step], 0);
+                EXPECT_LT(pressed[step], 0.5);
+            }
+        }
 }
 
 TEST(SectionFields, AFrameHasThoseThatSomePartHas)

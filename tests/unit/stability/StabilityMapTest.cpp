@@ -97,6 +97,34 @@ TEST(StabilityMap, GoesOnWhereItStoppedAndComesOutTheSame)
     EXPECT_EQ(other.done(), 0U);
 }
 
+TEST(StabilityMap, TakesNoPointFromADamagedRow)
+{
+    const test::TemporaryFolder folder;
+    const MapSpec spec = stepMap();
+    const std::string key = mapKey(spec, "");
+    StabilityMap map = emptyMap(spec);
+    for (auto& point : map.points) point = MapPoint{};
+    writeMap(OutputFolder(folder.path()), "map.dat", map, key);
+    const std::string good = test::readBytes(folder / "map.dat");
+    const auto done = [&](const std::string& outcome) {
+        std::string text = good;
+        const auto row = text.find('\n', text.find(" done outcome")) + 1;
+        std::size_t at = row; // of the fourth word
+        for (int blanks = 0; blanks < 3; ++at) blanks += text[at] == ' ';
+        text.replace(at, text.find(' ', at) - at, outcome);
+        test::writeBytes(folder / "map.dat", text);
+        StabilityMap again = emptyMap(spec);
+        readMap(folder / "map.dat", again, key);
+        return again.done();
+    };
+
+    const std::size_t all = map.points.size();
+    EXPECT_EQ(done("0"), all);
+    EXPECT_EQ(done("6"), all);
+    for (const std::string outcome : {"7", "-1", "1.5", "nan", "1e300"})
+        EXPECT_EQ(done(outcome), all - 1) << outcome;
+}
+
 TEST(StabilityMap, EverySceneIsStableAsItIs)
 {
     for (const Scene& scene : probeScenes()) {

@@ -143,6 +143,11 @@ TEST_F(ChartDictTest, RefusesLaddersWithoutSense)
         contains(answer("entry meshDict.refinement; values (1 fine);"), "needs values > 0"));
     EXPECT_TRUE(contains(answer("overlay (none \"variants/half\");"), "no folder 'variants/half'"));
     EXPECT_TRUE(contains(answer("overlay (\"../other\");"), "leads upwards"));
+    folder_.write("postProcessing/chart/c/chart.dat", "");
+    for (const std::string folder : {"postProcessing", ".", "postProcessing/chart/c"})
+        EXPECT_TRUE(contains(answer("overlay (none \"" + folder + "\");"),
+                             "'" + folder + "' cannot be laid over copies of the case"))
+            << folder;
 }
 
 TEST_F(ChartDictTest, SetsSeveralEntriesTogetherUnderAName)

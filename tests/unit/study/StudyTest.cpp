@@ -217,6 +217,26 @@ TEST_F(StudyTest, RefusesATableItCannotRead)
     }
 }
 
+TEST_F(StudyTest, RemovesNoFolderOfAPerson)
+{
+    for (const std::string name : {".trial", "n_2"}) {
+        const std::string file = "postProcessing/chart/c/runs/" + name + "/notes";
+        folder_.write(file, "kept");
+        try {
+            auto one = study({"2"});
+            run(one);
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::fileIo);
+            EXPECT_NE(std::string(error.what()).find(name + "' is in the way"), std::string::npos)
+                << error.what();
+        }
+        EXPECT_EQ(folder_.read(file), "kept");
+        EXPECT_FALSE(folder_.has("postProcessing/chart/c/runs/" + name + "/.lock"));
+        fs::remove_all(folder_.root() / "postProcessing/chart/c/runs" / name);
+    }
+}
+
 TEST_F(StudyTest, RefusesAnEntryThatIsADictionaryBeforeAnythingRuns)
 {
     const std::vector<StudyRun> runs{{"a", {{"system/controlDict", "functions.tip", "3", ""}}}};

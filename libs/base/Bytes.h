@@ -31,11 +31,15 @@ private:
     std::string bytes_;
 };
 
-/// Reads what ByteWriter wrote; throws Error(mesh) where the bytes end too early.
+/// Reads what ByteWriter wrote; throws Error(mesh) naming `subject` where the bytes end too early.
 class ByteReader
 {
 public:
-    explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+    ByteReader(std::string_view bytes, std::string subject)
+        : bytes_(bytes),
+          subject_(std::move(subject))
+    {
+    }
     template <class T>
     requires std::is_trivially_copyable_v<T> std::vector<T> vector()
     {
@@ -60,10 +64,11 @@ public:
 
 private:
     std::string_view bytes_;
+    std::string subject_;
 
-    [[noreturn]] static void fail()
+    [[noreturn]] void fail() const
     {
-        throw Error(ExitCode::mesh, "the mesh reader's answer is damaged");
+        throw Error(ExitCode::mesh, subject_ + ": what its reader found is damaged");
     }
     void copy(void* target, std::size_t size)
     {
