@@ -13,8 +13,9 @@ namespace fs = std::filesystem;
 void setLaterResultsAside(const fs::path& caseRoot, const std::string& runId, double time, Log& log)
 {
     std::vector<std::string> files;
+    // Names of time folders have twelve digits: one of this very time may be rounded up.
     for (const FrameFile& frame : listFrames(caseRoot))
-        if (frame.runId == runId && frame.time.second > time * (1 + 1e-12))
+        if (frame.runId == runId && frame.time.second > time * (1 + 1e-11))
             files.push_back(frame.time.first + "/fields.vtkhdf");
     const std::size_t frames = files.size();
     for (const char* file : {"failed/fields.vtkhdf", "why.txt"})

@@ -71,7 +71,11 @@ std::string quotable(std::string text)
 std::string reasonIn(const std::filesystem::path& caseRoot)
 {
     std::string line;
-    std::ifstream stream(caseRoot / "why.txt");
+    const auto file = caseRoot / "why.txt";
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, failure)))
+        return "";
+    std::ifstream stream(file);
     std::getline(stream, line);
     line.resize(std::min<std::size_t>(line.size(), 300));
     std::replace_if(

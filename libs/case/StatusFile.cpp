@@ -83,11 +83,16 @@ void StatusFile::rewrite(const std::string& text, bool last)
             if (gone) throw;
         }
     const std::string content = filled(text, size_);
+    // One that is cut short is written again as a whole: readers take it only with its checksum.
     ssize_t written = -1;
-    do written = ::pwrite(file_.number(), content.data(), content.size(), 0);
-    while (written < 0 && errno == EINTR);
-    if (written != ssize_t(content.size())) fail(written < 0 ? errno : ENOSPC);
-    if (last && ::fdatasync(file_.number()) != 0) fail(errno);
+    for (int tries = 0; written != ssize_t(content.size()) && tries < 10; ++tries) {
+        written = ::pwrite(file_.number(), content.data(), content.size(), 0);
+        if (written < 0 && errno != EINTR) fail(errno);
+    }
+    if (written != ssize_t(content.size())) fail(ENOSPC);
+    int synchronised = last ? -1 : 0;
+    while (synchronised != 0 && (synchronised = ::fdatasync(file_.number())) != 0)
+        if (errno != EINTR) fail(errno);
 }
 
 std::optional<std::string> statusText(const std::string& content)

@@ -33,6 +33,16 @@ bool isPlainFile(const fs::path& file)
     return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
+bool isWhole(const fs::path& file)
+{
+    try {
+        readCheckpoint(file);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 /// Newest first.
 std::vector<Found> checkpointsIn(const fs::path& caseRoot)
 {
@@ -44,7 +54,9 @@ std::vector<Found> checkpointsIn(const fs::path& caseRoot)
         const auto label = checkpointLabel(caseRoot / file);
         const bool isOther =
             label && status && !status->runId.empty() && label->runId != status->runId;
-        if (!isOther) found.push_back({file, label});
+        // Of another run, if it is whole: else its label may be what is damaged.
+        if (!isOther || !isWhole(caseRoot / file))
+            found.push_back({file, isOther ? std::nullopt : label});
     }
     return found;
 }

@@ -90,7 +90,12 @@ public:
             endAfter(error);
             throw withWayOn(error);
         }
-        end(RunState::finished);
+        try {
+            end(RunState::finished);
+        } catch (const Error& error) {
+            endAfter(error);
+            throw;
+        }
         if (options_.strict && findings(verdicts_) > 0)
             throw Error(ExitCode::unhealthy, healthVerdict(verdicts_) + " (-strict)",
                         "the table of health above says what, where and what helps");

@@ -95,7 +95,7 @@ std::vector<std::string> meshFiles(const Dictionary& meshDict)
 bool isResult(const std::string& name)
 {
     static const std::vector<std::string> names{"postProcessing", checkpointFolder, laterFolder,
-                                                "failed",         "status",     "why.txt"};
+                                                "failed",         "status",         "why.txt"};
     const bool isTime = name != "0" && readNumber(name).has_value();
     return isTime || name.starts_with("log.") || name.ends_with(".series")
            || name.ends_with(".xdmf") || std::find(names.begin(), names.end(), name) != names.end();
