@@ -49,6 +49,10 @@ std::string contentOf(const std::filesystem::path& file, const std::string& name
         throw Error(ExitCode::mesh, format("{}: no such file", name));
     if (!std::filesystem::is_regular_file(file, error))
         throw Error(ExitCode::mesh, format("{}: is not a regular file", name));
+    constexpr std::uintmax_t most = std::uintmax_t(1) << 33;
+    if (const auto size = std::filesystem::file_size(file, error); error || size > most)
+        throw Error(ExitCode::mesh,
+                    format("{}: has {} bytes; at most {} are read", name, size, most));
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream content;
     content << stream.rdbuf();

@@ -86,15 +86,10 @@ public:
     {
         try {
             loop();
-        } catch (const Error& error) {
-            endAfter(error);
-            throw withWayOn(error);
-        }
-        try {
             end(RunState::finished);
         } catch (const Error& error) {
             endAfter(error);
-            throw;
+            throw withWayOn(error);
         }
         if (options_.strict && findings(verdicts_) > 0)
             throw Error(ExitCode::unhealthy, healthVerdict(verdicts_) + " (-strict)",

@@ -105,7 +105,7 @@ TEST_F(PilotAdviceTest, PartsThatTakeTheirModelFromAnotherKeepIt)
         CaseEdits edits;
         for (const Advice& one : pilotAdvice(model_, folder_.open(), results_))
             if (one.kind == "elastic") edits.add(one.edits);
-        edits.make(folder_.open(), folder_.root());
+        edits.make(folder_.open(), OutputFolder(folder_.root()));
         const Dictionary parts = folder_.open().dictionary("constant/partProperties").sub("parts");
         EXPECT_EQ(parts.sub("lower").word("model"), "elastic");
         EXPECT_EQ(parts.sub("upper").word("model"), both ? "elastic" : "elastoplastic");
