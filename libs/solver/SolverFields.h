@@ -21,6 +21,8 @@ struct SolverFields {
     /// Those of contact passes and lists too, as they are now.
     std::vector<FieldSet*> sets();
     std::size_t bytes();
+    /// Of state(), about what a file of it takes.
+    std::size_t stateBytes();
 
     /// All that the next step reads, of a moment between two steps; see Solver::restore. Throws
     /// Error(checkpoint) for a state of other fields.

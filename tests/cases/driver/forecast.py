@@ -9,7 +9,7 @@ from driver.scene import Scene, elastic
 STEEL = elastic("a", 210000, 0.3, 7.85e-9) + elastic("b", 210000, 0.3, 7.85e-9)
 FORECAST = re.compile(
     r"^forecast: (?:at least )?(?P<steps>\S+) steps of up to (?P<step>\S+), (?P<frames>\d+) frames of (?P<frame>.+), "
-    r"histories (?P<rows>.+): (?P<disk>.+) on a disk with (?P<free>.+) free; "
+    r"histories (?P<rows>.+), checkpoints (?P<state>.+): (?P<disk>.+) on a disk with (?P<free>.+) free; "
     r"memory at the peak (?P<memory>.+)$", re.M)
 
 

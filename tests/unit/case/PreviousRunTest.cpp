@@ -112,7 +112,7 @@ TEST_F(PreviousRun, IsMovedAsideWithItsMeshAndLeavesWhatAPersonWrote)
 {
     const std::string said = clear();
 
-    EXPECT_EQ(said, "moved into previous/ what run 20260131-120000-00000001 left: 2 frames, 2 "
+    EXPECT_EQ(said, "moved into previous/ what run 20260131-120000-00000001 left: 3 frames, 2 "
                     "tables, 2 pictures\n");
     EXPECT_EQ(outsidePrevious(), ownAnd({}));
     EXPECT_EQ(previous(), with(resultsOfRun, "constant/mesh.vtkhdf"));
@@ -201,7 +201,7 @@ TEST_F(PreviousRun, KilledAfterAnyNumberOfMovesIsCompleted)
 
         clearForRun(copy.root(), "keep", log);
 
-        EXPECT_EQ(text, "moved into previous/ what run 20260131-120000-00000001 left: 2 frames, 2 "
+        EXPECT_EQ(text, "moved into previous/ what run 20260131-120000-00000001 left: 3 frames, 2 "
                         "tables, 2 pictures\n");
         auto kept = filesIn(copy.root() / "previous");
         kept.erase(".fpmPrevious");
@@ -225,12 +225,12 @@ TEST_F(PreviousRun, KilledWhileTheOneBeforeIsRemovedIsCompleted)
 TEST_F(PreviousRun, IsRemovedOrRefusedWhereThatIsWanted)
 {
     EXPECT_EQ(refusal("refuse"),
-              "the case holds results of run 20260131-120000-00000001: 2 frames, "
+              "the case holds results of run 20260131-120000-00000001: 3 frames, "
               "2 tables, 2 pictures");
     EXPECT_EQ(resultFiles(folder.root()).size(), resultsOfRun.size());
 
     EXPECT_EQ(clear("remove"),
-              "removed what run 20260131-120000-00000001 left: 2 frames, 2 tables, 2 pictures\n");
+              "removed what run 20260131-120000-00000001 left: 3 frames, 2 tables, 2 pictures\n");
     EXPECT_EQ(outsidePrevious(), ownAnd({}));
     EXPECT_FALSE(folder.has("previous"));
 }
