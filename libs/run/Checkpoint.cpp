@@ -100,7 +100,7 @@ Checkpoint read(const std::filesystem::path& file)
                     format("it is of version {} of the state, written by {}; this is {} with "
                            "version {}",
                            version, reader.text("/fpm", "program"), versionText(), stateVersion),
-                    "go on with the program that wrote it, or start anew");
+                    "go on with the program that wrote it, or start from time 0");
     Checkpoint out;
     out.runId = reader.text("/fpm", "runId");
     out.time = reader.number("/fpm", "time");

@@ -95,8 +95,9 @@ Checkpoint firstWhole(const fs::path& caseRoot, const std::vector<Found>& wanted
     throw Error(ExitCode::checkpoint, "no checkpoint can be read");
 }
 
-constexpr const char* anew = "to start anew: startFrom startTime; startTime 0; the results of now "
-                             "go into previous/ then";
+constexpr const char* fromZero =
+    "to start from time 0: startFrom startTime; startTime 0; the results of now go into previous/ "
+    "then";
 
 } // namespace
 
@@ -143,7 +144,7 @@ findCheckpoint(const fs::path& caseRoot, const Control& control, const RunInputs
         throw Error(ExitCode::checkpoint,
                     format("the case is not that of run {} any more, stored at time {}: {}",
                            checkpoint.runId, toText(checkpoint.time, 9), difference),
-                    std::string("change it back, or ") + anew);
+                    std::string("change it back, or ") + fromZero);
     return checkpoint;
 }
 

@@ -120,7 +120,7 @@ private:
                 failIf(judge_.judge(energies_ = solver_.ledger().energies(), clock_, log_));
             if (frame) writeFrame();
             if (watch_.follow(control_, log_)) schedule_.startAt(clock_, wall());
-            why = reasonToStop(frame);
+            if (!schedule_.atEnd(clock_)) why = reasonToStop(frame);
             answerRequests();
             if (!why.empty() || schedule_.atEnd(clock_)
                 || schedule_.checkpointIsDue(clock_, wall()))
@@ -156,7 +156,7 @@ private:
         frames_.resume();
         schedule_.startAt(clock_, wall());
         schedule_.checkpointIsDone(wall());
-        lastRow_ = clock_.steps;
+        lastRow_ = checkpointStep_ = clock_.steps;
         log_.line(format("going on from the checkpoint at time {}, step {}", toText(clock_.time, 9),
                          clock_.steps));
     }
