@@ -1,8 +1,11 @@
+#include "base/Error.h"
+#include "base/Format.h"
 #include "kernels/contact/ListCheck.h"
 #include "kernels/contact/PassSums.h"
 #include "kernels/particle/Relaxation.h"
 #include "kernels/particle/StepClockUpdate.h"
 #include "parallel/CpuExecutor.h"
+#include "solver/backend/builtExecutors.h"
 #include "solver/backend/machineOf.h"
 
 #include <algorithm>
@@ -14,11 +17,18 @@ namespace {
 template <class Numbers, int Bits>
 Machine machine(const std::string& description, int threads)
 {
-    // Enough for the largest patch a mesh may have (2048 nodes).
-    const std::size_t scratch =
-        std::max({elementScratch<typename Numbers::Work>(2048), nodeScratch(), bodyScratch(),
-                  relaxationScratch(), PassListCheck::scratch(), PassSums::scratch()});
-    return machineOf<Numbers>(CpuExecutor<Bits>(threads, scratch), description + Numbers::name);
+    if constexpr (!isBuiltForCpu<Numbers, Bits>()) {
+        throw Error(ExitCode::device,
+                    format("this build has no kernels in {} precision for vectors of {} bits",
+                           Numbers::name, Bits),
+                    "configure it with other FPM_PRECISIONS and FPM_WIDTHS");
+    } else {
+        // Enough for the largest patch a mesh may have (2048 nodes).
+        const std::size_t scratch =
+            std::max({elementScratch<typename Numbers::Work>(2048), nodeScratch(), bodyScratch(),
+                      relaxationScratch(), PassListCheck::scratch(), PassSums::scratch()});
+        return machineOf<Numbers>(CpuExecutor<Bits>(threads, scratch), description + Numbers::name);
+    }
 }
 
 template <int Bits>

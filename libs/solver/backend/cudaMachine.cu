@@ -1,5 +1,6 @@
 #include "base/Format.h"
 #include "parallel/CudaExecutor.h"
+#include "solver/backend/builtExecutors.h"
 #include "solver/backend/machineOf.h"
 
 namespace fpm {
@@ -16,6 +17,17 @@ std::string deviceNames(int count)
         all += format("{}{} {}", number > 0 ? ", " : "", number, properties.name);
     }
     return all;
+}
+
+template <class Numbers>
+Machine machineFor(const std::string& description)
+{
+    if constexpr (isBuiltPrecision<Numbers>())
+        return machineOf<Numbers>(CudaExecutor(), description + Numbers::name);
+    else
+        throw Error(ExitCode::device,
+                    format("this build has no kernels in {} precision", Numbers::name),
+                    "configure it with other FPM_PRECISIONS");
 }
 
 } // namespace
@@ -45,13 +57,13 @@ Machine makeCudaMachine(const Control& control)
     const std::string description = "cuda, " + useCudaDevice(control.device) + ", ";
     switch (control.precision) {
     case Precision::single:
-        return machineOf<SinglePrecision>(CudaExecutor(), description + SinglePrecision::name);
+        return machineFor<SinglePrecision>(description);
     case Precision::mixed:
-        return machineOf<MixedPrecision>(CudaExecutor(), description + MixedPrecision::name);
+        return machineFor<MixedPrecision>(description);
     case Precision::double_:
         break;
     }
-    return machineOf<DoublePrecision>(CudaExecutor(), description + DoublePrecision::name);
+    return machineFor<DoublePrecision>(description);
 }
 
 } // namespace fpm
