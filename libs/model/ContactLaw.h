@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/PenaltyRules.h"
+#include "kernels/contact/law/PenaltyRules.h"
 
 namespace fpm {
 

@@ -9,8 +9,8 @@ namespace fpm {
 
 /// Contactor nodes that lie in the material of the target before the run, by what contact does with
 /// them. It holds a node against a face that points towards it, no deeper than half the thickness
-/// of the element under the face (kernels/contact/FaceChoice.h): beyond, the other side may be
-/// nearer.
+/// of the element under the face (kernels/contact/narrow/FaceChoice.h): beyond, the other side may
+/// be nearer.
 struct InitialDepths {
     struct Node {
         Index node;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Types.h"
-#include "kernels/contact/ForceSum.h"
-#include "kernels/contact/Penalty.h"
+#include "kernels/contact/distribute/ForceSum.h"
+#include "kernels/contact/law/Penalty.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
 

@@ -1,6 +1,6 @@
 #include "solver/contact/ContactFields.h"
 
-#include "kernels/contact/ReferenceDisplacement.h"
+#include "kernels/contact/lists/ReferenceDisplacement.h"
 
 namespace fpm {
 

@@ -1,6 +1,6 @@
 #include "solver/contact/ContactLists.h"
 
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
 
 #include <algorithm>
 #include <chrono>

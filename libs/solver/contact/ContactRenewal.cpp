@@ -1,6 +1,6 @@
 #include "solver/contact/ContactRenewal.h"
 
-#include "kernels/contact/PassSums.h"
+#include "kernels/contact/distribute/PassSums.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/RigidSurface.h"
+#include "kernels/contact/law/RigidSurface.h"
 #include "model/Model.h"
 
 namespace fpm {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/PassSums.h"
+#include "kernels/contact/distribute/PassSums.h"
 #include "solver/SolverFields.h"
 #include "solver/backend/Launches.h"
 #include "solver/contact/ContactReadings.h"

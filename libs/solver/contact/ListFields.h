@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fields/Field.h"
-#include "kernels/contact/ListCheck.h"
+#include "kernels/contact/lists/ListCheck.h"
 #include "solver/contact/NearBlocks.h"
 
 namespace fpm {

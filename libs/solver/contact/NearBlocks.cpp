@@ -1,8 +1,8 @@
 #include "solver/contact/NearBlocks.h"
 
 #include "base/Error.h"
-#include "kernels/contact/ListCheck.h"
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/lists/ListCheck.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
-#include "kernels/contact/PassSums.h"
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/distribute/PassSums.h"
 
 namespace fpm {
 

@@ -2,7 +2,7 @@
 
 #include "fields/Field.h"
 #include "fields/NumberField.h"
-#include "kernels/contact/CellLists.h"
+#include "kernels/contact/broad/CellLists.h"
 #include "solver/contact/ContactSetUp.h"
 
 namespace fpm {

@@ -1,6 +1,6 @@
-#include "kernels/contact/ContactStatus.h"
-#include "kernels/contact/NodeGap.h"
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/distribute/ContactStatus.h"
+#include "kernels/contact/narrow/NodeGap.h"
 #include "solver/contact/ContactSolver.h"
 
 #include <cmath>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "kernels/contact/ContactLimit.h"
-#include "kernels/contact/ContactStatus.h"
-#include "kernels/contact/NodeGap.h"
-#include "kernels/contact/Overlap.h"
-#include "kernels/contact/PassSums.h"
-#include "kernels/contact/ReferenceDisplacement.h"
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/distribute/ContactLimit.h"
+#include "kernels/contact/distribute/ContactStatus.h"
+#include "kernels/contact/distribute/PassSums.h"
+#include "kernels/contact/lists/ReferenceDisplacement.h"
+#include "kernels/contact/narrow/NodeGap.h"
+#include "kernels/contact/narrow/Overlap.h"
 #include "solver/contact/ContactLaunches.h"
 #include "solver/contact/PassView.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ListCheck.h"
+#include "kernels/contact/lists/ListCheck.h"
 #include "solver/contact/ListLaunches.h"
 #include "solver/contact/PassView.h"
 #include "solver/contact/searchPass.h"

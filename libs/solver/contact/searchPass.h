@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/ReferenceDisplacement.h"
-#include "kernels/contact/Search.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/lists/ReferenceDisplacement.h"
 
 namespace fpm {
 

@@ -1,4 +1,4 @@
-#include "kernels/contact/CellLists.h"
+#include "kernels/contact/broad/CellLists.h"
 
 #include <gtest/gtest.h>
 

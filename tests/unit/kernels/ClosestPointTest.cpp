@@ -1,6 +1,6 @@
-#include "kernels/contact/ClosestPoint.h"
+#include "kernels/contact/narrow/ClosestPoint.h"
 
-#include "kernels/contact/SignedGap.h"
+#include "kernels/contact/narrow/SignedGap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/contact/FaceProjection.h"
+#include "kernels/contact/narrow/FaceProjection.h"
 
 #include <gtest/gtest.h>
 

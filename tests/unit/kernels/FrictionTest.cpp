@@ -1,4 +1,4 @@
-#include "kernels/contact/RigidSurface.h"
+#include "kernels/contact/law/RigidSurface.h"
 #include "unit/kernels/rotated.h"
 
 #include <gtest/gtest.h>

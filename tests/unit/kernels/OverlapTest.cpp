@@ -1,4 +1,4 @@
-#include "kernels/contact/Overlap.h"
+#include "kernels/contact/narrow/Overlap.h"
 
 #include <gtest/gtest.h>
 

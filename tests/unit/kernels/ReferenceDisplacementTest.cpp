@@ -1,4 +1,4 @@
-#include "kernels/contact/ReferenceDisplacement.h"
+#include "kernels/contact/lists/ReferenceDisplacement.h"
 
 #include "parallel/CpuExecutor.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ContactForce.h"
+#include "kernels/contact/distribute/ContactForce.h"
 #include "parallel/CpuExecutor.h"
 
 #include <vector>

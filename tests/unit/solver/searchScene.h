@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/Tracking.h"
+#include "kernels/contact/narrow/Tracking.h"
 #include "parallel/CpuExecutor.h"
 #include "solver/contact/PassView.h"
 #include "solver/contact/searchPass.h"

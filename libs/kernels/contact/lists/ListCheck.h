@@ -2,7 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/ContactPassView.h"
-#include "kernels/contact/ReferenceDisplacement.h"
+#include "kernels/contact/lists/ReferenceDisplacement.h"
 
 namespace fpm {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/contact/ContactPassView.h"
-#include "kernels/contact/RigidSurface.h"
+#include "kernels/contact/law/RigidSurface.h"
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/ContactPassView.h"
-#include "kernels/contact/RigidSurface.h"
+#include "kernels/contact/law/RigidSurface.h"
 
 namespace fpm {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/FaceChoice.h"
-#include "kernels/contact/RidgeFaces.h"
+#include "kernels/contact/narrow/FaceChoice.h"
+#include "kernels/contact/narrow/RidgeFaces.h"
 
 namespace fpm {
 

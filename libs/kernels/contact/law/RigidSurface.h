@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/ForceSum.h"
-#include "kernels/contact/Penalty.h"
+#include "kernels/contact/distribute/ForceSum.h"
+#include "kernels/contact/law/Penalty.h"
 #include "kernels/particle/Amplitude.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"

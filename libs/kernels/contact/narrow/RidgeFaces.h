@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/SignedGap.h"
+#include "kernels/contact/narrow/SignedGap.h"
 
 namespace fpm {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernels/contact/Overlap.h"
-#include "kernels/contact/Search.h"
-#include "kernels/contact/Slip.h"
+#include "kernels/contact/broad/Search.h"
+#include "kernels/contact/narrow/Overlap.h"
+#include "kernels/contact/narrow/Slip.h"
 
 namespace fpm {
 

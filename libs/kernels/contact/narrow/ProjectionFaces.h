@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/Friction.h"
-#include "kernels/contact/RidgeFaces.h"
+#include "kernels/contact/law/Friction.h"
+#include "kernels/contact/narrow/RidgeFaces.h"
 
 namespace fpm {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/Friction.h"
-#include "kernels/contact/PenaltyRules.h"
+#include "kernels/contact/law/Friction.h"
+#include "kernels/contact/law/PenaltyRules.h"
 
 namespace fpm {
 

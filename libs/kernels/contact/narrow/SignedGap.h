@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/ClosestPoint.h"
 #include "kernels/contact/ContactPassView.h"
+#include "kernels/contact/narrow/ClosestPoint.h"
 
 namespace fpm {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/CellLists.h"
-#include "kernels/contact/SignedGap.h"
+#include "kernels/contact/broad/CellLists.h"
+#include "kernels/contact/narrow/SignedGap.h"
 
 namespace fpm {
 

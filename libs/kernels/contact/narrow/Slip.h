@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/contact/ProjectionFaces.h"
-#include "kernels/contact/Tracking.h"
+#include "kernels/contact/narrow/ProjectionFaces.h"
+#include "kernels/contact/narrow/Tracking.h"
 
 namespace fpm {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/distribute/ForceSum.h"
 #include "kernels/particle/StepClock.h"
 #include "parallel/Precision.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernels/BlockSum.h"
-#include "kernels/contact/ForceSum.h"
+#include "kernels/contact/distribute/ForceSum.h"
 #include "kernels/particle/InteriorNodes.h"
 #include "kernels/particle/StepClock.h"
 

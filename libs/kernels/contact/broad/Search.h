@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/FaceChoice.h"
+#include "kernels/contact/narrow/FaceChoice.h"
 
 namespace fpm {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/contact/FaceProjection.h"
+#include "kernels/contact/narrow/FaceProjection.h"
 #include "parallel/ExpLog.h"
 
 namespace fpm {
