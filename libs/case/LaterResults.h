@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Log.h"
+#include "io/OutputFolder.h"
 
-#include <filesystem>
 #include <string>
 
 namespace fpm {
@@ -14,7 +14,7 @@ inline constexpr const char* laterFolder = "later";
 
 /// Moves there the frames of a run later than `time`, the state that stopped it and why.txt, each
 /// in place of an earlier one of its name. Logs one line where there is any.
-void setLaterResultsAside(const std::filesystem::path& caseRoot,
+void setLaterResultsAside(const OutputFolder& theCase,
                           const std::string& runId,
                           double time,
                           Log& log);

@@ -3,7 +3,6 @@
 #include "base/Format.h"
 #include "base/Hash.h"
 #include "case/PerformanceRecord.h"
-#include "io/OutputFolder.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
@@ -202,7 +201,7 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
 
 void reportPerformance(Solver& solver,
                        const Model& model,
-                       const std::filesystem::path& caseRoot,
+                       const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log)
 {
@@ -225,7 +224,7 @@ void reportPerformance(Solver& solver,
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
-    OutputFolder(caseRoot).write(performanceFile, record.text());
+    theCase.write(performanceFile, record.text());
 }
 
 namespace {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "base/Log.h"
+#include "io/OutputFolder.h"
 #include "solver/Solver.h"
-
-#include <filesystem>
 
 namespace fpm {
 
@@ -11,7 +10,7 @@ namespace fpm {
 /// the PerformanceRecord of the run.
 void reportPerformance(Solver& solver,
                        const Model& model,
-                       const std::filesystem::path& caseRoot,
+                       const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log);
 

@@ -70,7 +70,9 @@ public:
           log_(log),
           output_(root_, fullDiskPolicy()),
           stored_(storedRecord(options)),
-          record_(options.from ? RunRecord(output_, options.from->runId, options.from->wallSeconds)
+          record_(options.from ? (
+                      setLaterResultsAside(output_, options.from->runId, options.from->time, log),
+                      RunRecord(output_, options.from->runId, options.from->wallSeconds))
                                : RunRecord(output_, model.control.previousRun, log)),
           frames_(solver, model, output_, record_.id()),
           health_(model, solver),
@@ -335,9 +337,9 @@ private:
                              stepLimit(solver_, model_)));
         verdicts_ = health_.rows(solver_, edges_);
         for (const std::string& line : healthLines(verdicts_)) log_.line(line);
-        writeHealth(root_, record_.id(), verdicts_);
+        writeHealth(output_, record_.id(), verdicts_);
         record_.tell(healthStatus(verdicts_));
-        reportPerformance(solver_, model_, root_, record_.id(), log_);
+        reportPerformance(solver_, model_, output_, record_.id(), log_);
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
@@ -389,7 +391,6 @@ void runTimeLoop(Solver& solver,
                  const RunOptions& options,
                  Log& log)
 {
-    if (options.from) setLaterResultsAside(caseRoot, options.from->runId, options.from->time, log);
     TimeLoop(solver, model, caseRoot, options, log).run();
 }
 
