@@ -7,8 +7,6 @@
 
 namespace fpm {
 
-/// Folder of a case with the checkpoints of its run: state.h5, state.1.h5, ...
-inline constexpr const char* checkpointFolder = "checkpoint";
 /// Folder of a case with what a run had left beyond the checkpoint that it went on from.
 inline constexpr const char* laterFolder = "later";
 

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/CheckpointLabel.h"
 #include "case/LaterResults.h"
 #include "case/RunStatus.h"
 #include "io/FolderTree.h"

@@ -162,7 +162,7 @@ void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
         record.contactLimitedBy = stepLimit(solver, model);
 }
 
-PerformanceRecord performanceOf(Solver& solver, const Model& model)
+PerformanceRecord performanceOf(Solver& solver, const Model& model, const EarlierParts& earlier)
 {
     PerformanceRecord record;
     const StepTimes& t = solver.times();
@@ -177,7 +177,10 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.steps = clock.steps;
     record.searches = t.searches;
     record.deviceBytes = std::int64_t(solver.fields().bytes());
-    record.wallSeconds = t.total;
+    record.wallSeconds = earlier.stepSeconds + t.total;
+    record.parts = earlier.count + 1;
+    record.partSteps = t.steps;
+    record.partSeconds = t.total;
     record.threads = t.threads;
     const double steps = double(t.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
@@ -199,8 +202,15 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
 
 } // namespace
 
+void EarlierParts::keep(Archive& archive)
+{
+    archive(count);
+    archive(stepSeconds);
+}
+
 void reportPerformance(Solver& solver,
                        const Model& model,
+                       const EarlierParts& earlier,
                        const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log)
@@ -220,7 +230,10 @@ void reportPerformance(Solver& solver,
                         toText(100 * t.element / t.total, 3),
                         toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
                         toText(100 * t.node / t.total, 3)));
-    PerformanceRecord record = performanceOf(solver, model);
+    PerformanceRecord record = performanceOf(solver, model, earlier);
+    if (earlier.count > 0)
+        log.line(format("  the whole run: {} steps, {} s, in {} parts", record.steps,
+                        toText(record.wallSeconds, 4), record.parts));
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);

@@ -1,6 +1,7 @@
 #include "study/CaseCopy.h"
 
 #include "base/Format.h"
+#include "case/CheckpointLabel.h"
 #include "case/Confinement.h"
 #include "case/LaterResults.h"
 #include "case/PreviousRun.h"
