@@ -170,8 +170,13 @@ Continuation Study::goOnIn(std::size_t run, int repeat, const std::string& folde
     const Scratch wanted(output_, trialFolder());
     makeCopy(run, wanted.folder);
     const bool frames = (settings_.tables && repeat == 1) || settings_.keepFields;
-    const Continuation found = continuationOf(left, output_.path(wanted.folder),
-                                              frames ? Frames::needed : Frames::notNeeded);
+    Continuation found;
+    try {
+        found = continuationOf(left, output_.path(wanted.folder),
+                               frames ? Frames::needed : Frames::notNeeded);
+    } catch (const Error& error) {
+        found.why = std::string("what is left of it cannot be read: ") + error.what();
+    }
     if (found.goesOn) renewInputs(output_.path(wanted.folder), left);
     return found;
 }

@@ -358,3 +358,13 @@ TEST_F(StoppedStudy, BeginsAgainWhereItsCheckpointCannotBeUsed)
     EXPECT_NE(said_.find("n_2 begins again: its checkpoints cannot be used\n"), said_.npos)
         << said_;
 }
+
+TEST_F(StoppedStudy, BeginsAgainWhereItsCopyCannotBeRead)
+{
+    stop(0);
+    folder_.write("postProcessing/chart/c/runs/n_2/system/controlDict", "n 2;\nendTime soon;\n");
+    EXPECT_THROW(start(), Error) << "stopped once more";
+    EXPECT_NE(said_.find("n_2 begins again: what is left of it cannot be read: "), said_.npos)
+        << said_;
+    EXPECT_EQ(programs_.calls(), "fpmMesh -noLog\nfpmExplicit -noLog\n");
+}
