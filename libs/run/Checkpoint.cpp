@@ -9,7 +9,7 @@
 #include "io/RunMark.h"
 
 #include <array>
-#include <charconv>
+#include <cmath>
 
 namespace fpm {
 
@@ -107,6 +107,11 @@ Checkpoint read(const std::filesystem::path& file)
     out.steps = integer(reader, "steps");
     out.wallSeconds = reader.number("/fpm", "wallSeconds");
     out.settled = integer(reader, "settled") != 0;
+    // By the label it was chosen, and no other text than a label's word is an id.
+    const auto label = checkpointLabel(file);
+    if (!label || label->runId != out.runId || label->time != out.time || label->steps != out.steps
+        || !std::isfinite(out.wallSeconds))
+        throw Error(ExitCode::checkpoint, "it is not the one that its label names");
     out.inputs.mesh = reader.text("/fpm", "mesh");
     for (const std::string& name : reader.children("/inputs")) {
         const std::string path = "/inputs/" + name;
@@ -165,6 +170,15 @@ void writeCheckpoint(const OutputFolder& theCase,
     image.save(theCase, file,
                RunMark{checkpoint.runId, checkpointFile}.text()
                    + format(" time {} steps {}", toText(checkpoint.time), checkpoint.steps));
+}
+
+void requireMoment(const Checkpoint& checkpoint, double time, std::int64_t steps)
+{
+    if (checkpoint.time != time || checkpoint.steps != steps)
+        throw Error(ExitCode::checkpoint,
+                    format("the checkpoint says time {}, step {}, and its state is of time {}, "
+                           "step {}",
+                           toText(checkpoint.time), checkpoint.steps, toText(time), steps));
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file)
