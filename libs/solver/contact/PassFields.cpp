@@ -7,6 +7,55 @@
 
 namespace fpm {
 
+namespace {
+
+[[noreturn]] void refuse(const FieldBase& field, Index number)
+{
+    throw Error(ExitCode::checkpoint,
+                format("contact pass: {} in field {} leads nowhere", number, field.info().name));
+}
+
+void requireFaces(const PassFields& pass)
+{
+    const Index faces = Index(pass.faceNode.size() / 4);
+    for (const Field<Index>* field : {&pass.face, &pass.frictionFace})
+        for (const Index number : field->toHost())
+            if (number < releasedFace || number >= faces) refuse(*field, number);
+    if (pass.frictionFace.size() == 0) return;
+    // A stored force has a face in whose frame it is kept.
+    const std::vector<Index> frames = pass.frictionFace.toHost();
+    const std::vector<double> held = pass.tangentialForce.toDoubles(); // two planes
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double first = held[i], second = held[frames.size() + i];
+        if (frames[i] < 0 && first * first + second * second > 0)
+            refuse(pass.frictionFace, frames[i]);
+    }
+}
+
+/// Every entry stands in one list at most, and once: so each list ends.
+void requireCells(const PassFields& pass)
+{
+    const Index count = Index(pass.entries.size());
+    const std::vector<CellEntry> all = pass.entries.toHost();
+    const std::vector<Index> heads = pass.head.toHost();
+    for (const Index first : heads)
+        if (first < -1 || first >= count) refuse(pass.head, first);
+    for (const CellEntry& entry : all)
+        if (entry.next < -1 || entry.next >= count) refuse(pass.entries, entry.next);
+    std::vector<bool> seen(all.size());
+    const auto follow = [&](Index first) {
+        for (Index at = first; at >= 0; at = all[std::size_t(at)].next) {
+            if (seen[std::size_t(at)]) refuse(pass.entries, at);
+            seen[std::size_t(at)] = true;
+        }
+    };
+    // Those of levels, but for the last, mark that the level has entries.
+    for (std::size_t list = 0; list <= pass.cellMask; ++list) follow(heads[list]);
+    follow(heads.back());
+}
+
+} // namespace
+
 bool hasDamping(const ContactPassSetup& pass)
 {
     return pass.law.normalDamping > 0;
@@ -84,18 +133,8 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
 
 void PassFields::requireNumbers() const
 {
-    const auto require = [this](const FieldInfo& info, Index number, std::size_t count) {
-        if (number < Index(count)) return; // negative ones are marks, such as noFace
-        throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
-                                                 name(), number, info.name, count));
-    };
-    const std::size_t faces = faceNode.size() / 4;
-    for (const Field<Index>* field : {&face, &frictionFace})
-        for (const Index number : field->toHost()) require(field->info(), number, faces);
-    if (entries.size() == 0) return; // nothing is searched: heads are not filled
-    for (const Index number : head.toHost()) require(head.info(), number, entries.size());
-    for (const CellEntry& entry : entries.toHost())
-        require(entries.info(), entry.next, entries.size());
+    requireFaces(*this);
+    requireCells(*this);
 }
 
 void PassFields::allocateCells(const ContactPassSetup& setUp)
@@ -107,7 +146,8 @@ void PassFields::allocateCells(const ContactPassSetup& setUp)
     std::uint32_t size = 16;
     while (size < lists) size *= 2;
     cellMask = size - 1;
-    head.resize(std::size_t(size) + std::size_t(setUp.levels) + 1);
+    // Empty until the first search; of a pass that has lost its contactors there is none.
+    head.assign(std::vector<Index>(std::size_t(size) + std::size_t(setUp.levels) + 1, -1));
 }
 
 } // namespace fpm
