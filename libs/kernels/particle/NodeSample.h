@@ -70,7 +70,8 @@ private:
 };
 
 /// Sums over a block of nodes: 1/2 m v^(n-1/2) . v^(n+1/2), the kinetic energy that matches the
-/// internal energy at t^n (exact for constant step), and the half work F^n . dx^n / 2 of loads and
+/// internal energy at t^n (exact for constant step; without the damping of t^n, whose work the next
+/// step books as a whole), and the half work F^n . dx^n / 2 of loads and
 /// prescribed motion that the energy balance does not yet contain at t^n.
 template <class Numbers>
 struct KineticEnergy {
@@ -114,7 +115,7 @@ private:
         const double inverse = double(nodeMotion.inverseMass[node]), dt = nodeMotion.clock->step;
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
-            double a = (ex[c] + in[c]) * inverse - double(nodeMotion.dampingRate()) * v[c];
+            double a = (ex[c] + in[c]) * inverse;
             double booked = ex[c];
             if (nodeMotion.imposed(node, c)) {
                 a = 0;

@@ -38,8 +38,7 @@ std::array<double, 2> Ledger::kineticEnergy()
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
     const StepClock now = fields_.clock.clock.toHost()[0];
     for (const RigidBody& body : fields_.bodies.bodies.toHost()) {
-        const auto [kinetic, closing] =
-            bodyEnergy(body, now.step, settings_.massDamping + now.damping);
+        const auto [kinetic, closing] = bodyEnergy(body, now.step);
         sums[0] += kinetic;
         sums[1] += closing;
     }

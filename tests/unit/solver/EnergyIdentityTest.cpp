@@ -143,6 +143,25 @@ TEST(EnergyIdentity, HoldsToRoundingWithConstantStep)
     EXPECT_LT(result.largestError, 1e-10);
 }
 
+/// A damped body in flight: what it loses is in the ledger at every time, of one with elements and
+/// of a rigid one.
+TEST(EnergyIdentity, LedgerOfADampedFlightCloses)
+{
+    for (const PartKind kind : {PartKind::elastic, PartKind::rigidFree}) {
+        Model model = boxModel({2, 2, 2}, {2, 2, 2}, aluminium(kind, HourglassForm::physical));
+        throwPart(model, "box", {1e4, 0, 5e3});
+        model.control.massDamping = 1e5;
+        model.control.fixedTimeStep = 1e-7;
+        const auto solver = startedSolver(model);
+        const double start = solver->ledger().energies().kinetic;
+        for (int n = 0; n < 100; ++n) {
+            solver->advance(1, 1);
+            EXPECT_LT(std::abs(solver->ledger().energies().error), 1e-12 * start);
+        }
+        EXPECT_LT(solver->ledger().energies().kinetic, 0.2 * start);
+    }
+}
+
 TEST(EnergyIdentity, HoldsToRoundingWithVariableStep)
 {
     const Audit result = audit(busyScene(), 500);
