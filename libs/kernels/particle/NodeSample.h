@@ -22,7 +22,7 @@ struct NodeSample {
     {
         const std::size_t node = std::size_t(list ? list[i] : i), planes = std::size_t(count);
         const auto internal = nodeMotion.internalForce(node);
-        const auto contact = nodeMotion.contact(node);
+        const auto contact = nodeMotion.contact(node) + nodeMotion.reaction(node);
         const auto load = nodeMotion.load(node, nodeMotion.clock->time);
         const double force[3] = {double(load.x) - double(internal.x) + double(contact.x),
                                  double(load.y) - double(internal.y) + double(contact.y),
@@ -76,6 +76,7 @@ private:
 template <class Numbers>
 struct KineticEnergy {
     NodeMotion<Numbers> nodeMotion;
+    bool reactions;      ///< of analytic surfaces that are met exactly count too
     double* blockEnergy; ///< [block][2]
 
     template <class Team>
@@ -102,7 +103,8 @@ private:
         out[0] = out[nodeBlock] = 0;
         if (nodeMotion.fixed[node] & bodyNode) return;
         const auto internal = nodeMotion.internalForce(node);
-        const auto contact = nodeMotion.contact(node);
+        auto contact = nodeMotion.contact(node);
+        if (reactions) contact += nodeMotion.reaction(node);
         const auto load = nodeMotion.load(node, nodeMotion.clock->time);
         Vec3<Motion> outer = load, inner = contact - internal, old = nodeMotion.velocityOf(node);
         if (nodeMotion.toOwnAxes(node, old)) {

@@ -162,6 +162,25 @@ TEST(EnergyIdentity, LedgerOfADampedFlightCloses)
     }
 }
 
+/// The same pushed by a rough wall that is met exactly, whose force is known in the step alone.
+TEST(EnergyIdentity, HoldsToRoundingOnAWallThatIsMetExactly)
+{
+    Model model = busyScene();
+    RigidSurface wall;
+    wall.name = "wall";
+    wall.point = {0.95, 0, 0};
+    wall.axis = {1, 0, 0.1};
+    for (double& c : wall.axis) c /= std::hypot(1, 0.1);
+    wall.motion = RigidSurface::Motion::velocity;
+    wall.value = {4e4, 0, 0};
+    model.rigidSurfaces.push_back(wall);
+    ContactPair& pair = addContact(model, "wall", skin(model.mesh, 1), {});
+    pair.surface = 0;
+    pair.friction = 0.3;
+    const Audit result = audit(model, 500);
+    EXPECT_LT(result.largestError, 1e-10);
+}
+
 TEST(EnergyIdentity, HoldsToRoundingWithVariableStep)
 {
     const Audit result = audit(busyScene(), 500);
