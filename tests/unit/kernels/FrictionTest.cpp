@@ -155,18 +155,7 @@ TEST(Friction, FrameTurnsWithItsFace)
         const Projection<double> here = gapAt(face, x, e);
         const V force = FaceFrame<double>(face).vector(stored, here.normal);
         EXPECT_LT(size(force - rotated(first, axis, angle)), 1e-12) << angle;
-        EXPECT_LT(size(slipOnFace(face, xi, eta, here.xi, here.eta)), 1e-12);
     }
-}
-
-TEST(Friction, SlipIsTheDisplacementOverTheMaterialOfTheFace)
-{
-    const Scene scene;
-    const FaceCorners<double> face = scene.face({0, 0, 1}, 0.4);
-    V a, b, t1, t2;
-    evaluateFace(face, -0.3, 0.6, a, t1, t2);
-    evaluateFace(face, 0.5, -0.2, b, t1, t2);
-    EXPECT_LT(size(slipOnFace(face, -0.3, 0.6, 0.5, -0.2) - (a - b)), 1e-14);
 }
 
 TEST(Friction, ForceKeepsLengthAndDirectionAcrossAFoldBetweenFaces)

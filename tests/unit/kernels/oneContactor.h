@@ -155,7 +155,7 @@ private:
                 velocity_[c * x_.size() + i] = c == 0 ? v_[i].x : c == 1 ? v_[i].y : v_[i].z;
             }
         sums_.assign(4 * x_.size(), 0);
-        ContactForce<DoublePrecision, true>{view(), {}}(CpuTeam<64>(nullptr), 0);
+        ContactForce<DoublePrecision, true>{view(), {noEntries_, nullptr, 0, 1, 0}}(CpuTeam<64>(nullptr), 0);
     }
     std::vector<V> x_, v_;
     std::vector<double> position_, velocity_;
@@ -170,6 +170,7 @@ private:
     double xi_ = 0, eta_ = 0, tangentialForce_[2]{}, springEnergy_ = 0, dissipated_ = 0;
     double dampingForce_ = 0, damped_ = 0, heldStiffness_ = 0;
     float overlap_ = 0;
+    Index noEntries_[2]{-1, -1}; ///< cell lists without faces
     std::int16_t ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
     std::int64_t counts_[passCounts]{}, force_[BlockForce::values]{};

@@ -94,18 +94,29 @@ struct FaceFrame {
     }
 };
 
-/// Displacement of the projection point over the material of a face, from (xiOld, etaOld) to (xi,
-/// eta) on the face in its current position: exact for a bilinear face, and zero for any rigid
-/// motion of both bodies.
+/// Orthonormal frame convected with the material point (xi, eta) of a face.
 template <class Work>
-FPM_KERNEL Vec3<Work>
-slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
-{
-    Vec3<Work> offset, t1, t2;
-    const Work half = Work(0.5);
-    evaluateFace(face, half * (xi + xiOld), half * (eta + etaOld), offset, t1, t2);
-    return (xi - xiOld) * t1 + (eta - etaOld) * t2;
-}
+struct PointFrame {
+    Vec3<Work> e1, e2, normal;
+
+    FPM_KERNEL PointFrame(const FaceCorners<Work>& face, Work xi, Work eta)
+    {
+        const Vec3<Work>* x = face.corner;
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(face, xi, eta, offset, t1, t2);
+        normal = faceNormal(face, t1, t2);
+        e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
+        e2 = cross(normal, e1);
+    }
+    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v) const
+    {
+        return {dot(v, e1), dot(v, e2), dot(v, normal)};
+    }
+    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& c) const
+    {
+        return c.x * e1 + c.y * e2 + c.z * normal;
+    }
+};
 
 /// Corner forces without resultant that have the moment of a couple, conjugate to the spin of the
 /// face. Friction acts with F at the contactor and -N_I F at the corners; with the couple its total

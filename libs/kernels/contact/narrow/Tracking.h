@@ -1,19 +1,9 @@
 #pragma once
 
+#include "kernels/contact/narrow/ContactPoint.h"
 #include "kernels/contact/narrow/FaceChoice.h"
-#include "kernels/contact/narrow/RidgeFaces.h"
 
 namespace fpm {
-
-/// Face of a contactor in this step and its signed distance to it.
-template <class Work>
-struct Tracked {
-    Index face;
-    Work xi, eta;
-    Projection<Work> at;
-    bool beyond; ///< it left the surface over a free edge
-    bool ridge;  ///< it lies inside a ridge, equally near to other faces: RidgeFaces
-};
 
 /// Narrow phase of the contactors from `first` on, one in each lane of T: closest-point projection
 /// from the last point. Contactors with a flat target within reach that stay over their face need
@@ -46,25 +36,16 @@ public:
         }
         const Projection<T> at = gapAtClosest(corners, clampedUnit(xi), clampedUnit(eta));
         store(holds_, select(inside & !nearsRidge(corners, at), T(1), T(0)));
-        const T values[9] = {at.xi,       at.eta,      at.gap,      at.normal.x, at.normal.y,
-                             at.normal.z, at.offset.x, at.offset.y, at.offset.z};
-        for (int k = 0; k < 9; ++k) store(values_[k], values[k]);
+        const T values[6] = {at.xi, at.eta, at.gap, at.normal.x, at.normal.y, at.normal.z};
+        for (int k = 0; k < 6; ++k) store(values_[k], values[k]);
     }
 
     FPM_KERNEL bool holds(int lane) const { return holds_[lane] > 0; }
-    FPM_KERNEL Tracked<Work> tracked(int lane, Index face) const
+    FPM_KERNEL ContactPoint<Work> at(int lane, Index face) const
     {
         const auto value = [&](int k) { return values_[k][lane]; };
-        return {face,
-                value(0),
-                value(1),
-                {value(0),
-                 value(1),
-                 {value(3), value(4), value(5)},
-                 {value(6), value(7), value(8)},
-                 value(2)},
-                false,
-                false};
+        return {
+            face, {value(0), value(1), {value(3), value(4), value(5)}, {0, 0, 0}, value(2)}, false};
     }
 
 private:
@@ -121,7 +102,7 @@ private:
                   | ((eta > zero) & (eta * eta * dot(t2, t2) < square)));
     }
 
-    alignas(T) Work holds_[lanes], values_[9][lanes];
+    alignas(T) Work holds_[lanes], values_[6][lanes];
 };
 
 /// Tracks a contactor from face to face between searches, always to the nearest: projection from
@@ -135,39 +116,33 @@ struct FaceTracker {
     const ContactPassView<Numbers>& pass;
     CellLists cells;
     static constexpr int maxHops = 16;
-    /// A squared distance has to be smaller by more than rounding to count as nearer.
-    static constexpr Work less = Work(1) - (sizeof(Work) == 8 ? Work(1e-12) : Work(1e-5));
+    static constexpr int mostCandidates = 14;
 
-    FPM_KERNEL Tracked<Work> follow(Index i) const
+    FPM_KERNEL ContactPoint<Work> follow(Index i) const
     {
         Candidate<Work> here;
         here.face = pass.face[i];
         FaceCorners<Work> corners = pass.corners(here.face, pass.contactor[i]);
-        if (pass.cold) {
+        RidgeFaces<Work> near;
+        if (pass.cold)
             aroundCorner(i, here, corners);
-            return measured(i, here, corners);
+        else {
+            here.point = closestPoint(corners, pass.xi[i], pass.eta[i]);
+            int hop = 0;
+            while (hop < maxHops && hopped(i, here, corners, near)) ++hop;
+            if (hop == maxHops) // too far to step from face to face: search the cells
+                pass.around[i] = aroundIntricate;
+            if (pass.around[i] == aroundIntricate && near.count == 0) tryCells(i, here, corners);
         }
-        here.point = closestPoint(corners, pass.xi[i], pass.eta[i]);
-        bool ridge = false;
-        for (int hop = 0; hop < maxHops && hopped(i, here, corners, ridge); ++hop)
-            if (hop == maxHops - 1)
-                pass.around[i] = aroundIntricate; // too far to step from face to face: search the
-                                                  // cells
-        if (pass.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
-        Tracked<Work> out = measured(i, here, corners);
-        out.ridge = ridge && out.at.gap < 0;
+        bool beyond = false;
+        const Projection<Work> at =
+            SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, beyond);
+        ContactPoint<Work> out(here.face, at, beyond);
+        if (near.count > 0 && at.gap < 0 && !beyond) out.blend(near);
         return out;
     }
 
 private:
-    FPM_KERNEL Tracked<Work>
-    measured(Index i, const Candidate<Work>& here, const FaceCorners<Work>& corners) const
-    {
-        Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false, false};
-        out.at = SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, out.beyond);
-        return out;
-    }
-
     /// `projection cold`, as in the paper: projects onto every face around the corner nearest to
     /// the contactor, from the face centre.
     FPM_KERNEL void aroundCorner(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
@@ -184,39 +159,64 @@ private:
         here.point = closestPoint(corners, Work(0), Work(0));
         pass.visitAround(
             start, nearest, [&](Index face) __attribute__((always_inline)) {
-                bool ridge = false;
-                if (face != start) moved(i, face, here, corners, ridge);
+                if (face != start) moved(i, face, here, corners, nullptr);
                 return true;
             });
     }
 
     /// Moves to a face that is nearer by more than rounding. Of faces that share the projection
     /// point it moves from one that does not oppose the contactor to one that does: otherwise their
-    /// shares of the force would depend on which of them is tracked. `ridge`: receives whether both
-    /// are equally near, each with a projection point inside it.
-    FPM_KERNEL bool moved(
-        Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
+    /// shares of the force would depend on which of them is tracked. `near`: receives it where it
+    /// is about as near, inside a ridge; null: not asked.
+    FPM_KERNEL bool moved(Index i,
+                          Index other,
+                          Candidate<Work>& here,
+                          FaceCorners<Work>& corners,
+                          RidgeFaces<Work>* near) const
     {
         if (other == here.face || (pass.excludedStart && !pass.mayTouch(i, other))) return false;
         const FaceCorners<Work> there = pass.corners(other, pass.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
-        bool turnedAway = false;
+        bool turnedAway = false, mayMove = true;
         if (isAsNear(found.square, here.point.square, size)) {
             const bool inside = found.where == insideFace && here.point.where == insideFace,
                        apart = areDistinctPoints(offsetOn(corners, here.point.xi, here.point.eta),
                                                  offsetOn(there, found.xi, found.eta), size);
-            ridge = ridge || (inside && apart);
             turnedAway = !apart && isNotOpposing(pass, i, normalAt(corners, here.point));
             // A change of face at one common point would be decided by rounding.
-            if (!turnedAway && (inside || !apart)) return false;
+            mayMove = turnedAway || (!inside && apart);
         }
-        if (!(turnedAway || found.square < less * here.point.square)
-            || isNotOpposing(pass, i, normalAt(there, found)))
-            return false;
-        here = {other, found, 0};
-        corners = there;
-        return true;
+        if (mayMove
+            && (turnedAway || found.square < ContactTolerances<Work>::nearer * here.point.square)
+            && !isNotOpposing(pass, i, normalAt(there, found))) {
+            here = {other, found, 0};
+            corners = there;
+            return true;
+        }
+        if (near) addNear(i, other, there, found, here, corners, *near);
+        return false;
+    }
+    /// Enters a face that a contactor inside is less than the blend's reach farther from than from
+    /// the tracked one.
+    FPM_KERNEL void addNear(Index i,
+                            Index other,
+                            const FaceCorners<Work>& there,
+                            const FacePoint<Work>& found,
+                            const Candidate<Work>& here,
+                            const FaceCorners<Work>& corners,
+                            RidgeFaces<Work>& near) const
+    {
+        const Projection<Work> first = gapAtClosest(corners, here.point.xi, here.point.eta),
+                               second = gapAtClosest(there, found.xi, found.eta);
+        if (!(first.gap < 0) || !(second.gap < 0)) return;
+        // Of two the second has a weight where d_2 < d_1 (1 + 2 f (1 - n_1 . n_2)); with others it
+        // may have one a little farther away.
+        const Work turn = Work(6) * RidgeDepth<Work>::factor;
+        if (!(-second.gap < -first.gap * (1 + turn * (1 - dot(first.normal, second.normal))))
+            || isNotOpposing(pass, i, second.normal))
+            return;
+        near.add(other, second, first.offset, squareOfDiagonal(there));
     }
 
     FPM_KERNEL static Vec3<Work> normalAt(const FaceCorners<Work>& face,
@@ -225,63 +225,61 @@ private:
         return gapAt(face, point.xi, point.eta).normal;
     }
 
-    /// Moves to a neighbouring face that is nearer by more than rounding, if there is one.
+    /// Moves to a neighbouring face that is nearer by more than rounding, if there is one. `near`:
+    /// receives those that are about as near, where there is none.
     FPM_KERNEL bool
-    hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
+    hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, RidgeFaces<Work>& near) const
     {
-        ridge = false;
-        if (here.point.where >= firstCorner) {
-            // Across its edges first: of equally near faces, as at a symmetry plane, these lie on
-            // the same side.
-            const int corner = here.point.where - firstCorner;
-            for (int edge = corner; edge < corner + 4; edge += 3) {
-                const Index next = pass.neighbour[4 * std::size_t(here.face) + (edge & 3)];
-                if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
-            }
-            bool any = false;
-            pass.visitAround(
-                here.face, corner, [&](Index face) __attribute__((always_inline)) {
-                    any = moved(i, face, here, corners, ridge);
-                    return !any;
-                });
-            return any;
-        }
-        Index across[2];
-        const Index count = acrossEdges(i, here, corners, across);
+        near.count = 0;
+        Index list[mostCandidates];
+        const Index count = candidates(i, here, corners, list);
         for (Index k = 0; k < count; ++k)
-            if (moved(i, across[k], here, corners, ridge)) return true;
+            if (moved(i, list[k], here, corners, &near)) return true;
         return false;
     }
 
-    /// Number of faces across the edges near the closest point that may be nearer.
-    FPM_KERNEL Index acrossEdges(Index i,
-                                 const Candidate<Work>& here,
-                                 const FaceCorners<Work>& corners,
-                                 Index (&across)[2]) const
+    /// Faces near the closest point that may be as near: across the edges close to it, and around a
+    /// corner close to it. Those across edges come first: of equally near faces, as at a symmetry
+    /// plane, these lie on the same side.
+    FPM_KERNEL Index candidates(Index i,
+                                const Candidate<Work>& here,
+                                const FaceCorners<Work>& corners,
+                                Index (&list)[mostCandidates]) const
     {
-        const Index* neighbour = pass.neighbour + 4 * std::size_t(here.face);
         const FacePoint<Work>& point = here.point;
-        if (point.where != insideFace) {
-            across[0] = neighbour[point.where] / 4;
-            return neighbour[point.where] >= 0;
-        }
         Vec3<Work> r, t1, t2;
         evaluateFace(corners, point.xi, point.eta, r, t1, t2);
         // Across an edge further away than the face itself no face that turns by less than a right
-        // angle can be nearer.
+        // angle can be nearer, across one twice as far none that counts in a ridge.
         const Work xi = 1 - (point.xi < 0 ? -point.xi : point.xi),
                    eta = 1 - (point.eta < 0 ? -point.eta : point.eta);
-        const bool near[2] = {xi * xi * dot(t1, t1) < point.square,
-                              eta * eta * dot(t2, t2) < point.square};
-        if (!near[0] && !near[1]) return 0;
         const Vec3<Work> normal = cross(t1, t2);
         const bool behind = dot(r, normal) < 0;
+        const Work reach = behind ? Work(4) * point.square : point.square;
+        const bool near[2] = {!(xi * xi * dot(t1, t1) > reach), !(eta * eta * dot(t2, t2) > reach)};
         Index count = 0;
+        if (!near[0] && !near[1]) return count;
+        const Index* neighbour = pass.neighbour + 4 * std::size_t(here.face);
         for (int axis = 0; axis < 2; ++axis) {
             const int edge = axis == 0 ? (point.xi > 0 ? 1 : 3) : (point.eta > 0 ? 2 : 0);
-            if (near[axis] && turns(i, neighbour[edge], corners, edge, normal, behind))
-                across[count++] = neighbour[edge] / 4;
+            if (!near[axis] || neighbour[edge] < 0) continue;
+            if (point.where == insideFace
+                && !turns(i, neighbour[edge], corners, edge, normal, behind))
+                continue;
+            list[count++] = neighbour[edge] / 4;
         }
+        const bool onEdge = point.where >= 0 && point.where < firstCorner;
+        if (!near[0] || !near[1] || (count == 0 && point.where < firstCorner)
+            || (onEdge && !behind))
+            return count;
+        const int corner = point.xi > 0 ? (point.eta > 0 ? 2 : 1) : (point.eta > 0 ? 3 : 0);
+        pass.visitAround(
+            here.face, corner, [&](Index face) __attribute__((always_inline)) {
+                if (face != here.face && (count == 0 || list[0] != face)
+                    && (count < 2 || list[1] != face))
+                    list[count++] = face;
+                return count < mostCandidates;
+            });
         return count;
     }
 
@@ -304,8 +302,8 @@ private:
         const Work first = dot(a, normal), second = dot(b, normal);
         const Work bend =
             behind ? (first < second ? -first : -second) : (first > second ? first : second);
-        constexpr Work little = sizeof(Work) == 8 ? Work(1e-20) : Work(1e-10);
-        return bend > 0 && bend * bend > little * dot(normal, normal) * dot(a, a);
+        return bend > 0
+               && bend * bend > ContactTolerances<Work>::bend * dot(normal, normal) * dot(a, a);
     }
 
     FPM_KERNEL void tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
@@ -319,7 +317,9 @@ private:
                     && isPartner(pass, i, face, other) && (best.face < 0 || isNearer(other, best)))
                     best = other;
             });
-        if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
+        if (best.face < 0
+            || !(best.point.square < ContactTolerances<Work>::nearer * here.point.square))
+            return;
         here = best;
         corners = pass.corners(here.face, pass.contactor[i]);
     }
