@@ -1,5 +1,6 @@
 #include "base/Error.h"
 #include "base/Format.h"
+#include "solver/backend/builtExecutors.h"
 #include "solver/backend/machines.h"
 
 #include <omp.h>
@@ -16,12 +17,19 @@ bool cpuHas(const std::string& simd)
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
+/// The widest vectors that the processor and this build have.
+std::string widest()
+{
+    if (std::ranges::count(builtWidths, 512) > 0 && cpuHas("avx512")) return "avx512";
+    return std::ranges::count(builtWidths, 256) > 0 ? "avx2" : "scalar";
+}
+
 Machine machineFor(const Control& control)
 {
     if (control.backend == "cuda") return makeCudaMachine(control);
     std::string simd = control.simd;
-    if (simd == "auto") simd = cpuHas("avx512") ? "avx512" : "avx2";
-    if (!cpuHas(simd))
+    if (simd == "auto") simd = widest();
+    if (simd != "scalar" && !cpuHas(simd))
         throw Error(ExitCode::device, format("this processor has no {}", simd), "use simd auto;");
     return makeCpuMachine(control, simd, threadCount(control));
 }
