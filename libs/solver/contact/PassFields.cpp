@@ -66,7 +66,7 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     around.resize(count);
     xi.resize(count);
     eta.resize(count);
-    tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough ? 3 * count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);

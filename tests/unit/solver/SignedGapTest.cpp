@@ -75,8 +75,8 @@ Index lost(ContactSearch search,
         }
         const ContactPoint<double> now = scene.follow(query);
         const double exact = distance(queries[std::size_t(query)]);
-        // Inside a ridge the depth is smaller, at a right angle by up to a ninth, at a corner of
-        // three by a seventh.
+        // Inside a ridge the depth is smaller, at a right angle by a tenth, at a corner of
+        // three by an eighth.
         const bool blended = now.count > 1 && now.gap > exact && now.gap < exact * 6 / 7;
         count += now.beyond || (!blended && std::abs(now.gap - exact) > 1e-6);
     }
@@ -90,8 +90,9 @@ double blendedDepth(std::array<double, 3> depths)
     for (int i = 0; i <= 200; ++i)
         for (int j = 0; i + j <= 200; ++j) {
             const double a = i / 200.0, b = j / 200.0, c = 1 - a - b;
-            least = std::min(least, (a * depths[0] + b * depths[1] + c * depths[2])
-                                        / (1 + 0.25 * (1 - a * a - b * b - c * c)));
+            least =
+                std::min(least, (a * depths[0] + b * depths[1] + c * depths[2])
+                                    / (1 + 0.2 * std::pow(2, 15 / 16.0) * (a * b + b * c + c * a)));
         }
     return least;
 }
@@ -382,7 +383,9 @@ double lostWork(SearchScene& scene, const std::function<Point(double)>& way, int
         scene.move(0, p);
         const ContactPoint<double> now = scene.follow(0);
         const double gap = std::min(now.gap, 0.0);
-        const Point force{-gap * now.normal.x, -gap * now.normal.y, -gap * now.normal.z};
+        Vec3<double> push{0, 0, 0};
+        for (int k = 0; k < now.count; ++k) push += now.push[k];
+        const Point force{-gap * push.x, -gap * push.y, -gap * push.z};
         last = 0.5 * gap * gap;
         most = std::max(most, last);
         if (step == 0)

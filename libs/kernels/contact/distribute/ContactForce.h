@@ -3,6 +3,7 @@
 #include "kernels/contact/broad/Search.h"
 #include "kernels/contact/narrow/Overlap.h"
 #include "kernels/contact/narrow/Slip.h"
+#include "kernels/contact/narrow/SteadyContactors.h"
 
 namespace fpm {
 
@@ -164,24 +165,28 @@ private:
         }
         const Index face = at.face[0];
         const FaceFrame<Work> frame(pass.corners(face, pass.contactor[i]));
-        if (law.frictionFace[i] != face) {
-            if (dot(held, held) > 0) {
-                const FaceFrame<Work> old(pass.corners(law.frictionFace[i], pass.contactor[i]));
-                held = frame.components(old.vector(held, at.normal), at.normal);
-            }
-            law.frictionFace[i] = face;
+        Vec3<Work> force{0, 0, 0};
+        if (dot(held, held) > 0) {
+            const Index last = law.frictionFace[i];
+            if (last != face)
+                held = componentsIn(
+                    frame, vectorIn(FaceFrame<Work>(pass.corners(last, pass.contactor[i])), held));
+            force = vectorIn(frame, held);
         }
-        Vec3<Work> displacement = measure.objective(at);
+        law.frictionFace[i] = face;
+        const Work stored = dot(force, force);
+        Vec3<Work> slip = measure.objective(at, force);
+        force = intoPlane(force, at.normal);
         if (pass.mirrorsOf(i) != 0) {
-            displacement = measure.alongMirrors(displacement, at.normal);
-            const Vec3<Work> force = frame.vector(held, at.normal),
-                             left = measure.alongMirrors(force, at.normal);
-            law.lose(i, dot(force, force) - dot(left, left), stiffness);
-            held = frame.components(left, at.normal);
+            slip = measure.alongMirrors(slip, at.normal);
+            force = measure.alongMirrors(force, at.normal);
         }
-        const Vec3<Work> slip = frame.components(displacement, at.normal);
-        held = law.slide(i, held, slip, stiffness, pressing, pass.clock->step);
-        return frame.vector(held, at.normal);
+        // What the turns of several faces, or of a face and its image, cancel is not given back.
+        if (at.count > 1 || pass.mirrorsOf(i) != 0)
+            law.lose(i, stored - dot(force, force), stiffness);
+        force = law.slide(i, force, slip, stiffness, pressing, pass.clock->step);
+        law.store(i, componentsIn(frame, force));
+        return held = force;
     }
 
     /// Adds the forces on the faces, each its share, and the force on the contactor, which is minus
@@ -202,8 +207,7 @@ private:
             const Vec3<Work> share = at.weight[k] * along;
             const Work part = at.weight[k] * bound;
             if (closed)
-                addToFace(i, at.face[k], at.xi[k], at.eta[k],
-                          multiplyAdd(normalForce, at.push[k], share), share, part, own);
+                addToFace(i, at, k, multiplyAdd(normalForce, at.push[k], share), share, part, own);
             else
                 addStiffnessToFace(at.face[k], at.xi[k], at.eta[k], part);
         }
@@ -213,34 +217,45 @@ private:
         }
         sums.addStiffness(number, double(bound));
     }
-    /// Forces -N_I F on the four corners, and those of the couple of the friction part; `own` takes
-    /// the opposite of their sum.
+    /// Forces -N_I F on the four corners of a face, and those of the couple of the friction part;
+    /// `own` takes the opposite of their sum. A face that is met by the contactor's image takes the
+    /// images of the forces.
     FPM_KERNEL void addToFace(Index i,
-                              Index face,
-                              Work xi,
-                              Work eta,
-                              const Vec3<Work>& force,
-                              const Vec3<Work>& along,
+                              const Point& at,
+                              int face,
+                              const Vec3<Work>& wholeForce,
+                              const Vec3<Work>& wholeAlong,
                               Work bound,
                               std::int64_t (&own)[3]) const
     {
+        const Index planes = at.planes[face];
+        const Vec3<Work> force = pass.mirrored(planes, wholeForce),
+                         along = pass.mirrored(planes, wholeAlong);
         Work n[4];
-        shapeFunctions(xi, eta, n);
+        shapeFunctions(at.xi[face], at.eta[face], n);
         CornerCouple<Work> couple;
         if (friction && !pass.law.friction.paper)
-            couple = CornerCouple<Work>(pass.corners(face, pass.contactor[i]), xi, eta, along);
+            couple =
+                CornerCouple<Work>(at.corners(pass, i, face), at.xi[face], at.eta[face], along);
         const ContactSums& sums = pass.sums;
+        std::int64_t taken[3] = {0, 0, 0};
         for (int k = 0; k < 4; ++k) {
-            const Index corner = Index(pass.contactNumberAt(face, k));
+            const Index corner = Index(pass.contactNumberAt(at.face[face], k));
             Vec3<Work> onCorner = -n[k] * force;
             if constexpr (friction) onCorner += couple.at(k);
             const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
                                           sums.scale.force(double(onCorner.y)),
                                           sums.scale.force(double(onCorner.z))};
-            for (int c = 0; c < 3; ++c) own[c] -= part[c];
+            for (int c = 0; c < 3; ++c) taken[c] -= part[c];
             sums.addForce(corner, part);
             sums.addStiffness(corner, double(n[k] * bound));
         }
+        if (planes != 0) {
+            taken[0] = sums.scale.force(double(wholeForce.x));
+            taken[1] = sums.scale.force(double(wholeForce.y));
+            taken[2] = sums.scale.force(double(wholeForce.z));
+        }
+        for (int c = 0; c < 3; ++c) own[c] += taken[c];
     }
     FPM_KERNEL void addStiffnessToFace(Index face, Work xi, Work eta, Work bound) const
     {

@@ -62,6 +62,15 @@ FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, c
     return v - (dot(to, v) / onePlusCosine) * (from + to);
 }
 
+/// Vector turned into a plane by the smallest rotation; its length is kept.
+template <class Work>
+FPM_KERNEL Vec3<Work> intoPlane(const Vec3<Work>& v, const Vec3<Work>& normal)
+{
+    const Vec3<Work> part = inPlane(v, normal);
+    const Work square = dot(part, part);
+    return square > 0 ? squareRoot(dot(v, v) / square) * part : part;
+}
+
 template <class Work>
 FPM_KERNEL Vec3<Work> unit(const Vec3<Work>& v)
 {
@@ -81,42 +90,34 @@ struct FaceFrame {
         e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
         e2 = cross(normal, e1);
     }
-    /// Components (x, y) of a vector of the plane with normal n.
-    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v, const Vec3<Work>& n) const
-    {
-        const Vec3<Work> mine = turnedPlane(v, n, normal);
-        return {dot(mine, e1), dot(mine, e2), Work(0)};
-    }
-    /// Vector of the plane with normal n that has these components.
-    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
-    {
-        return turnedPlane(components.x * e1 + components.y * e2, normal, n);
-    }
 };
 
-/// Orthonormal frame convected with the material point (xi, eta) of a face.
+/// Orthonormal frame convected with the material point (xi, eta) of a face: by the mean turn of
+/// both tangents, so the numbering of the corners does not matter.
 template <class Work>
 struct PointFrame {
     Vec3<Work> e1, e2, normal;
 
     FPM_KERNEL PointFrame(const FaceCorners<Work>& face, Work xi, Work eta)
     {
-        const Vec3<Work>* x = face.corner;
         Vec3<Work> offset, t1, t2;
         evaluateFace(face, xi, eta, offset, t1, t2);
         normal = faceNormal(face, t1, t2);
-        e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
+        e1 = unit(unit(t1) + unit(t2));
         e2 = cross(normal, e1);
     }
-    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v) const
-    {
-        return {dot(v, e1), dot(v, e2), dot(v, normal)};
-    }
-    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& c) const
-    {
-        return c.x * e1 + c.y * e2 + c.z * normal;
-    }
 };
+/// Components of a vector in an orthonormal frame (FaceFrame, PointFrame), and back.
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> componentsIn(const Frame& frame, const Vec3<Work>& v)
+{
+    return {dot(v, frame.e1), dot(v, frame.e2), dot(v, frame.normal)};
+}
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> vectorIn(const Frame& frame, const Vec3<Work>& c)
+{
+    return c.x * frame.e1 + c.y * frame.e2 + c.z * frame.normal;
+}
 
 /// Corner forces without resultant that have the moment of a couple, conjugate to the spin of the
 /// face. Friction acts with F at the contactor and -N_I F at the corners; with the couple its total

@@ -18,6 +18,8 @@ struct ContactPoint {
     bool beyond;       ///< it left the surface over a free edge
     int count;         ///< faces; the first is the one it is tracked on
     Index face[most];
+    Index planes[most];     ///< of symmetry in which the face's image is meant, as FaceImage
+    Vec3<Work> shift[most]; ///< of the contactor's image
     Work xi[most], eta[most], weight[most];
     Vec3<Work> push[most]; ///< normal force on each for a unit of stiffness times depth,
                            ///< derivatives of the gap
@@ -30,12 +32,21 @@ struct ContactPoint {
           count(1)
     {
         face[0] = tracked;
+        planes[0] = 0;
+        shift[0] = {0, 0, 0};
         xi[0] = at.xi;
         eta[0] = at.eta;
         weight[0] = 1;
         push[0] = at.normal;
     }
 
+    /// Corners of a face relative to the contactor, or to its image that the face meets.
+    template <class Numbers>
+    FPM_KERNEL FaceCorners<Work> corners(const ContactPassView<Numbers>& pass, Index i, int k) const
+    {
+        const FaceCorners<Work> out = pass.corners(face[k], pass.contactor[i]);
+        return planes[k] == 0 ? out : shifted(out, shift[k]);
+    }
     FPM_KERNEL bool isOnBorder() const
     {
         return xi[0] * xi[0] >= Work(1) || eta[0] * eta[0] >= Work(1);
@@ -74,7 +85,9 @@ struct ContactPoint {
         for (int k = 0; k <= near.count; ++k) {
             if (k > 0 && !(depth.weight[k] > 0)) continue;
             if (k > 0) {
-                face[kept] = near.face[k - 1];
+                face[kept] = near.face[k - 1].face;
+                planes[kept] = near.face[k - 1].planes;
+                shift[kept] = near.shift[k - 1];
                 xi[kept] = near.xi[k - 1];
                 eta[kept] = near.eta[k - 1];
             }
@@ -121,6 +134,7 @@ private:
                           gapAt(pass.corners(other, pass.contactor[i]), atXi, atEta).normal))
             return;
         face[count] = other;
+        planes[count] = 0;
         xi[count] = atXi;
         eta[count] = atEta;
         ++count;

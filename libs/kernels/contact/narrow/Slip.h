@@ -12,38 +12,48 @@ struct Slip {
     const ContactPassView<Numbers>& pass;
     Index i;
 
-    /// Displacement increment of the contactor relative to the material of a face, Delta u.
-    FPM_KERNEL Vec3<Work> relativeDisplacement(Index face, Work xi, Work eta) const
-    {
-        Work n[4];
-        shapeFunctions(xi, eta, n);
-        Vec3<Work> relative = pass.velocityOf(pass.contactor[i]);
-        for (int k = 0; k < 4; ++k)
-            relative = relative - n[k] * pass.velocityOf(pass.faceNode[4 * std::size_t(face) + k]);
-        return Work(pass.clock->step) * relative;
-    }
-    /// As printed in the paper, relative to the tracked face and in fixed axes.
+    /// As printed in the paper: displacement increment of the contactor relative to the material of
+    /// the tracked face, Delta u, in fixed axes.
     FPM_KERNEL Vec3<Work> displacement(const ContactPoint<Work>& at) const
     {
-        return relativeDisplacement(at.face[0], at.xi[0], at.eta[0]);
+        return relativeDisplacement(at, 0);
     }
     /// Change of the gap in this step, Delta g_N.
     FPM_KERNEL Work approach(const ContactPoint<Work>& at) const
     {
         Work change = 0;
         for (int k = 0; k < at.count; ++k)
-            change += dot(relativeDisplacement(at.face[k], at.xi[k], at.eta[k]), at.push[k]);
+            change += dot(pass.mirroredBack(at.planes[k], relativeDisplacement(at, k)), at.push[k]);
         return change;
     }
     /// Objective slip increment: motion of the contactor in the frame that turns with the material
     /// of the target at its projection point, Delta u less the turn of the offset, as mean over the
     /// faces. It is as small as the motion, whichever faces the projection point lies on before and
-    /// after, and zero for a common rigid motion.
-    FPM_KERNEL Vec3<Work> objective(const ContactPoint<Work>& at) const
+    /// after, and zero for a common rigid motion. `traction`: as convected with the tracked face;
+    /// receives the mean of it as convected with each of the faces.
+    FPM_KERNEL Vec3<Work> objective(const ContactPoint<Work>& at, Vec3<Work>& traction) const
     {
-        Vec3<Work> sum{0, 0, 0};
-        for (int k = 0; k < at.count; ++k)
-            sum = multiplyAdd(at.weight[k], onFace(at.face[k], at.xi[k], at.eta[k]), sum);
+        Vec3<Work> sum{0, 0, 0}, before{0, 0, 0}, turned{0, 0, 0};
+        for (int k = 0; k < at.count; ++k) {
+            const FaceCorners<Work> corners = at.corners(pass, i, k),
+                                    earlier = cornersBefore(at, k, corners);
+            const PointFrame<Work> now(corners, at.xi[k], at.eta[k]),
+                last(earlier, at.xi[k], at.eta[k]);
+            // The turn acts on the short offset alone: in floats the difference of two offsets
+            // would be rounding.
+            const Vec3<Work> moved = relativeDisplacement(at, k),
+                             offset = offsetOn(corners, at.xi[k], at.eta[k]) - moved,
+                             slip = moved + (offset - vectorIn(now, componentsIn(last, offset)));
+            sum = multiplyAdd(at.weight[k], pass.mirroredBack(at.planes[k], slip), sum);
+            if (at.count == 1) continue;
+            if (k == 0)
+                before = vectorIn(FaceFrame<Work>(earlier),
+                                  componentsIn(FaceFrame<Work>(corners), traction));
+            const Vec3<Work> force =
+                vectorIn(now, componentsIn(last, pass.mirrored(at.planes[k], before)));
+            turned = multiplyAdd(at.weight[k], pass.mirroredBack(at.planes[k], force), turned);
+        }
+        if (at.count > 1) traction = turned;
         return inPlane(sum, at.normal);
     }
 
@@ -69,23 +79,32 @@ struct Slip {
     }
 
 private:
-    FPM_KERNEL Vec3<Work> onFace(Index face, Work xi, Work eta) const
+    /// Velocity of the contactor, or of its image that a face meets.
+    FPM_KERNEL Vec3<Work> velocity(const ContactPoint<Work>& at, int k) const
     {
-        const FaceCorners<Work> now = pass.corners(face, pass.contactor[i]);
-        FaceCorners<Work> before = now;
-        const Vec3<Work> own = pass.velocityOf(pass.contactor[i]);
-        for (int k = 0; k < 4; ++k) {
-            const Index node = pass.faceNode[4 * std::size_t(face) + std::size_t(k)];
-            before.corner[k] =
-                before.corner[k] - Work(pass.clock->step) * (pass.velocityOf(node) - own);
+        return pass.mirrored(at.planes[k], pass.velocityOf(pass.contactor[i]));
+    }
+    FPM_KERNEL Vec3<Work> relativeDisplacement(const ContactPoint<Work>& at, int k) const
+    {
+        Work n[4];
+        shapeFunctions(at.xi[k], at.eta[k], n);
+        Vec3<Work> relative = velocity(at, k);
+        for (int c = 0; c < 4; ++c)
+            relative =
+                relative - n[c] * pass.velocityOf(pass.faceNode[4 * std::size_t(at.face[k]) + c]);
+        return Work(pass.clock->step) * relative;
+    }
+    /// Corners at the last time, relative to the contactor there.
+    FPM_KERNEL FaceCorners<Work>
+    cornersBefore(const ContactPoint<Work>& at, int k, FaceCorners<Work> corners) const
+    {
+        const Vec3<Work> own = velocity(at, k);
+        for (int c = 0; c < 4; ++c) {
+            const Index node = pass.faceNode[4 * std::size_t(at.face[k]) + std::size_t(c)];
+            corners.corner[c] =
+                corners.corner[c] - Work(pass.clock->step) * (pass.velocityOf(node) - own);
         }
-        // The turn acts on the short offset alone: in floats the difference of two offsets would be
-        // rounding.
-        const Vec3<Work> moved = relativeDisplacement(face, xi, eta),
-                         last = offsetOn(now, xi, eta) - moved;
-        const Vec3<Work> turned = PointFrame<Work>(now, xi, eta)
-                                      .vector(PointFrame<Work>(before, xi, eta).components(last));
-        return moved + (last - turned);
+        return corners;
     }
 };
 

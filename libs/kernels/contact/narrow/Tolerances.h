@@ -34,6 +34,11 @@ struct ContactTolerances {
     /// Shares of a ridge's faces are found.
     static constexpr Work shares = Work(isDouble ? 1e-13 : 1e-6);
 
+    /// Faces meet at a sharp edge where n_1 . n_2 is below this, 60 degrees.
+    static constexpr Work sharp = Work(0.5);
+    /// A contactor that comes over a sharp edge no lower than this fraction of the width of the
+    /// face below it is lifted, not stopped (EdgeLift).
+    static constexpr Work lift = Work(0.05);
     /// Faces oppose a contactor where n . n_c is below this.
     static constexpr Work opposing = Work(-0.01);
     /// Fraction of half the face's width by which a contactor may lie beyond a free edge and stay
