@@ -37,14 +37,37 @@ struct FaceTracker {
             }
         }
         bool beyond = false;
-        const Projection<Work> at =
+        Projection<Work> at =
             SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, beyond);
+        if (at.gap < 0 && !beyond && pass.around[i] == aroundIntricate && isNewInside(i)) {
+            here.gap = at.gap;
+            if (lifted(i, here, corners)) {
+                near.count = 0;
+                at = SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, beyond);
+                pass.overlap[i] = notLess(-at.gap);
+                atomicAdd64(pass.counts + countInside, 1);
+            }
+        }
         ContactPoint<Work> out(here.face, at, beyond);
         if (near.count > 0 && at.gap < 0 && !beyond) out.blend(near);
         return out;
     }
 
 private:
+    /// Whether a contactor had no contact before.
+    FPM_KERNEL bool isNewInside(Index i) const
+    {
+        return !pass.cold && !(pass.law.springEnergy[i] > 0) && !(pass.overlap[i] > 0);
+    }
+    /// Moves a contactor that has come in over a sharp edge to the face above it, see EdgeLift.
+    FPM_KERNEL bool lifted(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        const Index side = here.face;
+        EdgeLift<Numbers>{pass, i}.lift(here, {0, 0, 0});
+        if (here.face == side) return false;
+        corners = pass.corners(here.face, pass.contactor[i]);
+        return true;
+    }
     /// Steps from face to face to the nearest. `near`: receives those about as near, inside a
     /// ridge.
     FPM_KERNEL void
