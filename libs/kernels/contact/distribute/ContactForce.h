@@ -65,7 +65,7 @@ private:
             else if (face >= 0)
                 applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
             else if (face == noFace)
-                open(i, Work(1));
+                open(i, Work(1), Work(0), Work(-1));
         }
     }
     /// Penalty spring, friction and damping against the face found in this step.
@@ -79,19 +79,19 @@ private:
         const Projection<Work>& at = now.at;
         const Partner partner = partnerOf(i, now);
         const Work stiffness = partner.stiffness;
-        const Work gapChange = pass.law.damps() ? approach(i, face, at) : Work(0);
+        const Work gapChange = pass.law.asksGapChange(i, at.gap) ? approach(i, face, at) : Work(0);
         if (now.beyond || !(at.gap < pass.reach)) {
             if (now.beyond && at.gap < 0) {
                 if (pass.law.springEnergy[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
                 release(i);
             }
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, now.beyond ? Work(-1) : at.gap);
             return;
         }
         if (-at.gap > partner.thickness) {
             release(i);
             atomicAdd64(pass.counts + countReleased, 1);
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, at.gap);
             return;
         }
         const Work gap = relievedGap(pass, i, at.gap, stiffness);
@@ -113,7 +113,7 @@ private:
             pass.law.springEnergy[i] = pass.law.energy(stiffness, gap, held);
             if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, gap);
         distribute(i, now, gap < 0, here, force, frictionPart, stiffness, total);
     }
 
@@ -160,10 +160,10 @@ private:
     }
     /// Separated: no force. A contactor that was separated before has no stored energy to account
     /// for.
-    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange, Work gap) const
     {
         if (!(pass.law.springEnergy[i] > 0)) return;
-        pass.law.open(i, stiffness, gapChange);
+        pass.law.open(i, stiffness, gapChange, gap);
     }
 
     /// Change of the gap in this step, Delta g_N.
