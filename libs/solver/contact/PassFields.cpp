@@ -73,6 +73,9 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
     surfaceForce.resize(analytic ? 3 * count : 0);
     springEnergy.resize(count);
+    touchGap.resize(count);
+    touchExtra.resize(count);
+    touchSurplus.resize(count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
     damped.resize(damping ? count : 0);

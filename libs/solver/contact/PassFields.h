@@ -66,6 +66,15 @@ struct PassFields : FieldSet {
         *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> springEnergy{
         *this, {"springEnergy", Location::contactor, Role::state, Renewal::keptInContact}};
+    /// Of the normal spring, see TouchMemory.
+    NumberField touchGap{*this,
+                         {"touchGap", Location::contactor, Role::state, Renewal::keptInContact},
+                         Family::work};
+    NumberField touchExtra{*this,
+                           {"touchExtra", Location::contactor, Role::state, Renewal::keptInContact},
+                           Family::work};
+    Field<double> touchSurplus{*this,
+                               {"touchSurplus", Location::contactor, Role::state, Renewal::kept}};
     Field<double> dampingForce{
         *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dissipated{*this,

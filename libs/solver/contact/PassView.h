@@ -33,6 +33,7 @@ template <class Work>
             .tangentialForce = f.tangentialForce.data<Work>(),
             .frictionFace = f.frictionFace.data(),
             .springEnergy = f.springEnergy.data(),
+            .touch = {f.touchGap.data<Work>(), f.touchExtra.data<Work>(), f.touchSurplus.data()},
             .dissipated = f.dissipated.data(),
             .dampingRatio = Work(l.normalDamping),
             .contactorMass = f.contactorMass.data<Work>(),

@@ -66,7 +66,7 @@ private:
             else if (face >= 0)
                 applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
             else if (face == noFace)
-                open(i, Work(1));
+                open(i, Work(1), Work(0), Work(-1));
         }
     }
     /// Penalty spring, friction and damping at the contact point of this step.
@@ -77,19 +77,20 @@ private:
         pass.eta[i] = at.eta[0];
         const Partner partner = partnerOf(i, at);
         const Work stiffness = partner.stiffness;
-        const Work gapChange = pass.law.damps() ? Slip<Numbers>{pass, i}.approach(at) : Work(0);
+        const Work gapChange =
+            pass.law.asksGapChange(i, at.gap) ? Slip<Numbers>{pass, i}.approach(at) : Work(0);
         if (at.beyond || !(at.gap < pass.reach)) {
             if (at.beyond && at.gap < 0) {
                 if (pass.law.springEnergy[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
                 release(i);
             }
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, now.beyond ? Work(-1) : at.gap);
             return;
         }
         if (-at.gap > partner.thickness) {
             release(i);
             atomicAdd64(pass.counts + countReleased, 1);
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, at.gap);
             return;
         }
         const Work gap = relievedGap(pass, i, at.gap, stiffness);
@@ -102,7 +103,7 @@ private:
             pass.law.springEnergy[i] = pass.law.energy(stiffness, gap, held);
             if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, gap);
         distribute(i, at, gap < 0, normalForce, along, stiffness, total);
     }
 
@@ -140,10 +141,10 @@ private:
     }
     /// Separated: no force. A contactor that was separated before has no stored energy to account
     /// for.
-    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange, Work gap) const
     {
         if (!(pass.law.springEnergy[i] > 0)) return;
-        pass.law.open(i, stiffness, gapChange);
+        pass.law.open(i, stiffness, gapChange, gap);
     }
 
     /// Tangential force on the contactor. The stored traction is convected with its face; where the

@@ -2,6 +2,7 @@
 
 #include "kernels/contact/law/Friction.h"
 #include "kernels/contact/law/PenaltyRules.h"
+#include "kernels/contact/law/TouchMemory.h"
 
 namespace fpm {
 
@@ -18,6 +19,7 @@ struct PassLaw {
     Work* tangentialForce;     ///< in a face's frame, or in fixed axes
     Index* frictionFace;       ///< face of that frame; null: fixed axes
     double* springEnergy;      ///< recoverable, of normal and tangential spring
+    TouchMemory<Work> touch;   ///< of the normal spring
     double* dissipated;        ///< by friction, running sum
     Work dampingRatio;         ///< zeta; 0: no damping, and the arrays below are empty
     const Work* contactorMass; ///< m_c; 0: the contactor cannot move
@@ -49,13 +51,19 @@ struct PassLaw {
         return own > 0 && !(faceMass > 0 && faceMass < own) ? own : faceMass;
     }
     FPM_KERNEL bool damps() const { return dampingRatio > 0; }
+    /// Whether the law reads the change of the gap in this step.
+    FPM_KERNEL bool asksGapChange(Index i, Work gap) const
+    {
+        return damps() || (gap < 0 && touch.wasOpen(i));
+    }
 
-    /// Normal force k_n |g|, eq. (16) of the paper, plus damping -2 zeta sqrt(k_n m*) dg/dt, never
-    /// tensile. `gapChange`: Delta g_N in this step of length `step`.
+    /// Normal force k_n |g|, eq. (16) of the paper, with what TouchMemory returns, plus damping
+    /// -2 zeta sqrt(k_n m*) dg/dt, never tensile. `gapChange`: Delta g_N in this step of length
+    /// `step`.
     FPM_KERNEL Work
     normalForce(Index i, Work stiffness, Work gap, Work mass, Work gapChange, double step) const
     {
-        const Work elastic = -stiffness * gap;
+        const Work elastic = -stiffness * gap + touch.press(i, stiffness, gap, gapChange);
         if (!damps()) return elastic;
         const Work rate = step > 0 ? gapChange / Work(step) : Work(0);
         Work force = Work(-2) * dampingRatio * squareRoot(stiffness * mass) * rate;
@@ -108,10 +116,14 @@ struct PassLaw {
             dissipated[i] += double(Work(0.5) * square / (friction.stiffnessRatio * stiffness));
     }
     /// Separation: the energy of the tangential spring is dissipated. `gapChange` as in
-    /// normalForce.
-    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange) const
+    /// normalForce; `gap`: where the spring is open now, negative where the contactor was lost.
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange, Work gap) const
     {
         springEnergy[i] = 0;
+        if (gap < 0)
+            touch.lose(i);
+        else
+            touch.open(i, stiffness, gap);
         if (damps()) bookDamping(i, 0, gapChange);
         if (!friction.acts()) return;
         const Vec3<Work> held = storedForce(i);
