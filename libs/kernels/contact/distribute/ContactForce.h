@@ -84,7 +84,7 @@ private:
                 if (pass.law.springEnergy[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
                 release(i);
             }
-            open(i, stiffness, gapChange, now.beyond ? Work(-1) : at.gap);
+            open(i, stiffness, gapChange, at.beyond ? Work(-1) : at.gap);
             return;
         }
         if (-at.gap > partner.thickness) {
