@@ -76,11 +76,13 @@ private:
     {
         const ContactPassView<Numbers>& pass = edges.pass;
         const EdgePair<Numbers> pair(edges, i);
-        open(i, stiffnessOf(i, pair), pass.law.damps() ? gapChange(pair) : Work(0));
+        const bool lost = edges.phase[i] != phaseOpens;
+        open(i, stiffnessOf(i, pair), pass.law.damps() ? gapChange(pair) : Work(0),
+             lost ? Work(-1) : pair.at.gap);
         pass.overlap[i] = 0;
         if (pass.injected) pass.injected[pass.contactorCount + i] = 0; // see relievedGap
         edges.state[i] = pair.at.isInner() ? edgesOpen : edgesApart;
-        if (edges.phase[i] == phaseOpens) return;
+        if (!lost) return;
         const bool deep = !pair.isBeyond();
         edges.state[i] = deep ? edgesReleased : edgesApart;
         atomicAdd64(pass.counts + (deep ? countReleased : countOverEdge), 1);
@@ -96,9 +98,10 @@ private:
         if (pass.law.friction.acts()) pass.law.store(i, {Work(0), Work(0), Work(0)});
         edges.state[i] = edgesApart;
     }
-    FPM_KERNEL void open(Index i, Work stiffness, Work change) const
+    /// `gap`: as in PassLaw::open.
+    FPM_KERNEL void open(Index i, Work stiffness, Work change, Work gap) const
     {
-        if (edges.pass.law.springEnergy[i] > 0) edges.pass.law.open(i, stiffness, change);
+        if (edges.pass.law.springEnergy[i] > 0) edges.pass.law.open(i, stiffness, change, gap);
     }
 
     /// A closed spring keeps the stiffness with which it closed, also beyond a joint.
@@ -125,7 +128,7 @@ private:
         const bool known = !closes || edges.state[i] == edgesOpen;
         if (!known) forgive(i, pair.at.gap);
         const Work stiffness = stiffnessOf(i, pair);
-        const Work change = pass.law.damps() ? gapChange(pair) : Work(0);
+        const Work change = pass.law.asksGapChange(i, pair.at.gap) ? gapChange(pair) : Work(0);
         const Work gap = relievedGap(pass, i, pair.at.gap, stiffness);
         const Work ds = known ? pair.at.s - pass.xi[i] : Work(0),
                    dt = known ? pair.at.t - pass.eta[i] : Work(0);
@@ -148,7 +151,7 @@ private:
             pass.law.springEnergy[i] = pass.law.energy(stiffness, gap, held);
             if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
-            open(i, stiffness, change);
+            open(i, stiffness, change, gap);
         distribute(i, pair, stiffness, normalForce, friction, total);
     }
     /// First seen inside: its depth is forgiven, as that of contactors is (SlotChoice).

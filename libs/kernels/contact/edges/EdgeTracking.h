@@ -159,6 +159,7 @@ private:
                               : moved(old.second, old.b, t, pair.second, pair.b);
         pass.overlap[i] = pass.overlap[from];
         pass.law.springEnergy[i] = pass.law.springEnergy[from];
+        pass.law.touch.handOver(from, i);
         if (pass.heldStiffness) pass.heldStiffness[i] = pass.heldStiffness[from];
         if (pass.injected)
             pass.injected[pass.contactorCount + i] = pass.injected[pass.contactorCount + from];
