@@ -205,7 +205,7 @@ TEST(FrictionMoment, WhoCrossesARidgeKeepsWhatIsStored)
         EXPECT_GT(pair.held(), held) << n; // it sticks
     }
     EXPECT_EQ(pair.face(), 1);
-    EXPECT_EQ(pair.lost(), 0);
+    EXPECT_LT(pair.lost(), 1e-13 * pair.held()); // rounding of its length
 }
 
 } // namespace

@@ -30,10 +30,12 @@ struct Slip {
     /// of the target at its projection point, Delta u less the turn of the offset, as mean over the
     /// faces. It is as small as the motion, whichever faces the projection point lies on before and
     /// after, and zero for a common rigid motion. `traction`: as convected with the tracked face;
-    /// receives the mean of it as convected with each of the faces.
+    /// receives the mean of it as convected with the points of several faces, or of a face and its
+    /// image.
     FPM_KERNEL Vec3<Work> objective(const ContactPoint<Work>& at, Vec3<Work>& traction) const
     {
         Vec3<Work> sum{0, 0, 0}, before{0, 0, 0}, turned{0, 0, 0};
+        const bool several = at.count > 1 || pass.mirrorsOf(i) != 0;
         for (int k = 0; k < at.count; ++k) {
             const FaceCorners<Work> corners = at.corners(pass, i, k),
                                     earlier = cornersBefore(at, k, corners);
@@ -45,7 +47,7 @@ struct Slip {
                              offset = offsetOn(corners, at.xi[k], at.eta[k]) - moved,
                              slip = moved + (offset - vectorIn(now, componentsIn(last, offset)));
             sum = multiplyAdd(at.weight[k], pass.mirroredBack(at.planes[k], slip), sum);
-            if (at.count == 1) continue;
+            if (!several) continue;
             if (k == 0)
                 before = vectorIn(FaceFrame<Work>(earlier),
                                   componentsIn(FaceFrame<Work>(corners), traction));
@@ -53,7 +55,7 @@ struct Slip {
                 vectorIn(now, componentsIn(last, pass.mirrored(at.planes[k], before)));
             turned = multiplyAdd(at.weight[k], pass.mirroredBack(at.planes[k], force), turned);
         }
-        if (at.count > 1) traction = turned;
+        if (several) traction = turned;
         return inPlane(sum, at.normal);
     }
 
