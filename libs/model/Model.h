@@ -113,6 +113,8 @@ struct ContactPair : ContactLaw {
     double rampTime = 0; ///< over which `ramp` forgives
     /// Of general contact: parts that have pairs of their own.
     std::vector<std::array<Index, 2>> apart;
+
+    bool hasSprings() const { return surface < 0 || enforcement == Enforcement::penalty; }
 };
 
 enum class Precision { double_, mixed, single };

@@ -52,7 +52,8 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
         if (acts) does += (does.empty() ? "" : ", ") + what;
     };
     if (pass.surface >= 0)
-        does = "analytic surface " + model.rigidSurfaces[std::size_t(pass.surface)].name;
+        does = "analytic surface " + model.rigidSurfaces[std::size_t(pass.surface)].name
+               + (pass.kinematic ? ", met exactly" : ", springs");
     else if (pass.ofEdges)
         does = "sharp edges";
     else {
@@ -60,8 +61,9 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
         add(pass.search == ContactSearch::closestParticle, "search closestParticle");
         add(pass.projection == ContactProjection::cold, "cold projection");
     }
-    add(pass.law.friction > 0, pass.law.paperFriction ? "friction of the paper" : "friction");
-    add(pass.law.normalDamping > 0, "damping");
+    add(pass.law.friction > 0,
+        pass.law.paperFriction && !pass.kinematic ? "friction of the paper" : "friction");
+    add(pass.law.normalDamping > 0 && !pass.kinematic, "damping");
     add(pass.components > 1, "several bodies a node");
     add(pass.forgives, "initial overlap forgiven");
     if (pass.ofEdges)

@@ -132,10 +132,13 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const ContactPair& pair = model.contactPairs[number];
         const PairForce now = solver.contact().force(number);
-        std::string line = format("pair {}: {} in contact, springs up to {}, held {}", pair.name,
-                                  now.active, largestStiffnessOf(solver, number), now.springEnergy);
+        std::string line = format("pair {}: {} in contact, ", pair.name, now.active);
+        line += pair.hasSprings() ? format("springs up to {}, held {}",
+                                           largestStiffnessOf(solver, number), now.springEnergy)
+                                  : "met exactly";
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
-        if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
+        if (!pair.hasSprings() || pair.normalDamping > 0)
+            line += format(", lost to contact damping {}", now.damping);
         log.line(line);
     }
 }

@@ -133,7 +133,7 @@ inline void addContacts(std::vector<Scene>& scenes)
 }
 
 /// Plane, cylinder and sphere in place of the lower block.
-inline void addSurfaces(std::vector<Scene>& scenes)
+inline void addSurfaces(std::vector<Scene>& scenes, Enforcement enforcement)
 {
     using Kind = RigidSurface::Kind;
     for (const auto& [name, kind] :
@@ -144,6 +144,7 @@ inline void addSurfaces(std::vector<Scene>& scenes)
         model.contactPairs.clear();
         addContact(model, name, facing(model.mesh, "upper", {0, 0, -1}), {}).surface = 0;
         model.contactPairs[0].friction = 0.2;
+        model.contactPairs[0].enforcement = enforcement;
         RigidSurface surface;
         surface.name = name;
         surface.kind = kind;
@@ -157,7 +158,8 @@ inline void addSurfaces(std::vector<Scene>& scenes)
             surface.amplitude = {Amplitude::Kind::table, {{0, 1}, {1e-5, 0.5}}};
         }
         model.rigidSurfaces.push_back(surface);
-        scenes.push_back({name, model});
+        const bool exact = enforcement == Enforcement::kinematic;
+        scenes.push_back({std::string(name) + (exact ? ", met exactly" : ", springs"), model});
     }
 }
 
@@ -278,7 +280,8 @@ inline std::vector<Scene> scenes()
     std::vector<Scene> all;
     addElements(all);
     addContacts(all);
-    addSurfaces(all);
+    addSurfaces(all, Enforcement::kinematic);
+    addSurfaces(all, Enforcement::penalty);
     addMotions(all);
     addLargeStrain(all);
     return all;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/contact/law/KinematicContact.h"
 #include "kernels/contact/law/RigidSurface.h"
 #include "model/Model.h"
 
@@ -14,7 +15,8 @@ struct ContactPassSetup {
     ContactSearch search = ContactSearch::faces;
     ContactProjection projection = ContactProjection::tracked;
     ContactLaw law;
-    Index surface = -1;      ///< analytic target, in SolverSetUp::surfaces; it has no faces
+    Index surface = -1;      ///< analytic target, in ContactSetUp::surfaces; it has no faces,
+    bool kinematic = false;  ///< and is met exactly, without springs
     double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
@@ -58,6 +60,8 @@ struct ContactSetUp {
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
     std::vector<Index> nodes;           ///< node of each contact node
     std::vector<Index> numberOf;        ///< of each node among them, -1; empty without contact
+    std::vector<Index> surfaceStart;    ///< kinematic contactors of each node: CSR; empty: none
+    std::vector<SurfaceUse> surfaceUses;
     ForceScale scale;
 };
 

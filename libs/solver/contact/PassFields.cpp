@@ -9,7 +9,7 @@ namespace fpm {
 
 bool hasDamping(const ContactPassSetup& pass)
 {
-    return pass.law.normalDamping > 0;
+    return pass.law.normalDamping > 0 && !pass.kinematic;
 }
 
 bool hasFriction(const ContactPassSetup& pass)
@@ -63,7 +63,8 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     const std::size_t count = setUp.contactor.size();
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(count)));
     const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
-               damping = hasDamping(setUp), analytic = setUp.surface >= 0;
+               damping = hasDamping(setUp), analytic = setUp.surface >= 0,
+               kinematic = setUp.kinematic, spring = analytic && !kinematic;
     const bool edges = setUp.ofEdges;
     ownNormal.resize(edges ? 0 : 3 * std::size_t(setUp.nodeCount));
     edgeState.resize(edges ? count : 0);
@@ -74,20 +75,21 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     around.resize(edges ? 0 : count);
     xi.resize(count);
     eta.resize(count);
-    tangentialForce.resize(rough ? 3 * count : 0);
+    tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
-    surfaceForce.resize(analytic ? 3 * count : 0);
-    springEnergy.resize(count);
-    touchGap.resize(count);
-    touchExtra.resize(count);
-    touchSurplus.resize(count);
+    surfaceForce.resize(spring ? 3 * count : 0);
+    springEnergy.resize(kinematic ? 0 : count);
+    touchGap.resize(kinematic ? 0 : count);
+    touchExtra.resize(kinematic ? 0 : count);
+    touchSurplus.resize(kinematic ? 0 : count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
-    damped.resize(damping ? count : 0);
+    damped.resize(damping || kinematic ? count : 0);
     surfaceWork.resize(analytic ? count : 0);
+    reading.resize(kinematic ? surfaceReadings * count : 0);
     injected.resize(setUp.fadeTime > 0 ? 2 * count : 0);
     counts.resize(passCounts);
     sums.resize(passSums * blocks);

@@ -91,6 +91,8 @@ struct PassFields : FieldSet {
     Field<double> damped{*this, {"damped", Location::contactor, Role::state, Renewal::kept}};
     Field<double> surfaceWork{*this,
                               {"surfaceWork", Location::contactor, Role::state, Renewal::kept}};
+    /// Of a surface that is met exactly, see SurfaceReading.
+    Field<double> reading{*this, {"reading", Location::contactor, Role::scratch}};
     /// Two planes, see ContactPassView.
     Field<double> injected{*this, {"injected", Location::contactor, Role::state, Renewal::kept}};
     Field<std::int64_t> counts{*this, {"counts", Location::global, Role::state}};

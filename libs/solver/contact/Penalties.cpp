@@ -191,9 +191,13 @@ ContactPassSetup makeSurfacePair(const SolverSetUp& data,
     ContactPassSetup out;
     out.law = pair;
     out.surface = pair.surface;
+    out.kinematic = !pair.hasSprings();
     out.contactor = pair.contactorNodes;
     out.nodeCount = Index(out.contactor.size());
-    addPenalty(out, data, model, pair, own, {});
+    if (out.kinematic)
+        out.mirrors = mirrorsOf(model, out.contactor);
+    else
+        addPenalty(out, data, model, pair, own, {});
     double areas = 0;
     for (const ElementSide& side : own) areas += area(model.mesh, side);
     if (!own.empty()) out.meanFaceSize = std::sqrt(areas / double(own.size()));

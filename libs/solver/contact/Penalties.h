@@ -29,10 +29,26 @@ double largestStiffness(const ContactPassSetup& pass);
 /// (sqrt(1 + zeta^2) - zeta) 2 / omega.
 double dampingLimit(const ContactLaw& law);
 
+/// Friction of a pair as the kernels have it.
+template <class Work>
+inline FrictionLaw<Work> frictionLaw(const ContactLaw& law)
+{
+    const double fast = law.dynamicFriction < 0 ? law.friction : law.dynamicFriction;
+    return {.staticCoefficient = Work(law.friction),
+            .dynamicCoefficient = Work(fast),
+            .decay = law.frictionDecay,
+            .stiffnessRatio = Work(law.tangentialScale / law.normalScale),
+            .paper = law.paperFriction};
+}
+
 /// Motion of an analytic surface; rows of its amplitude are appended to `amplitudeRows`.
 Condition surfaceMotion(const RigidSurface& surface, std::vector<double>& amplitudeRows);
 /// The surface as the kernel has it, likewise.
 SurfaceShape surfaceShape(const RigidSurface& surface, std::vector<double>& amplitudeRows);
+
+/// Share of the mean face width by which a node that starts inside a kinematic surface comes out
+/// in one step: what is deeper was asked for (`initialOverlap report`), and must not be thrown.
+inline constexpr double pushOut = 0.01;
 
 /// A pair against an analytic surface.
 ContactPassSetup makeSurfacePair(const SolverSetUp& data,

@@ -197,7 +197,8 @@ def balance(binaries, marks):
                      parts=steel("a"), end=2e-5, rows=100,
                      control=f"timeStep {{ contactLimit {limit}; }}",
                      initial="v { type velocity; part a; value (0 0 -1000); }",
-                     pairs="p { contactor a.zMin; target f; normalScale 4; }",
+                     pairs="p { contactor a.zMin; target f; enforcement penalty; "
+                           "normalScale 4; }",
                      surfaces="f { type plane; point (0 0 -0.01); normal (0 0 1); }")
     judged(marks, "step too long for contact", bounce(1.5), ["energy balance error"])
     judged(marks, "cured by a smaller contactLimit", bounce(0.5), [])
@@ -248,7 +249,7 @@ def friction(binaries, marks):
                      " amplitude smooth ((0 0) (3e-4 1)); } drag { type velocity; set a.xMin; "
                      "value (200 0 0); components (x); amplitude smooth ((0 0) (5e-4 0) (8e-4 1));"
                      " }", pairs="p { contactor a; target f; friction 0.3; "
-                     "tangentialScale 0.1; }",
+                     "enforcement penalty; tangentialScale 0.1; }",
                      surfaces="f { type plane; point (0 0 0); normal (0 0 1); }")
     judged(marks, "chatter", dragged(""), ["friction while sliding / friction of Coulomb"])
     judged(marks, "damped", dragged("hourglass { form viscous; coefficient 0.1; } "
