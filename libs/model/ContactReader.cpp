@@ -72,10 +72,11 @@ SurfaceEntry readSurface(const Dictionary& entry, const std::string& name)
     return surface;
 }
 
-/// What pairs and general contact have in common.
-void readOptions(PairEntry& pair, const Dictionary& entry)
+/// What pairs and general contact have in common. `edges`: the default of that entry.
+void readOptions(PairEntry& pair, const Dictionary& entry, bool edges)
 {
     static_cast<ContactLaw&>(pair) = readContactLaw(entry);
+    pair.edges = entry.switchOr("edges", edges);
     const std::string overlap =
         entry.choiceOr("initialOverlap", "offset", {"report", "offset", "ramp", "move"});
     pair.initialOverlap = overlap == "report" ? InitialOverlap::report
@@ -92,7 +93,7 @@ PairEntry readPair(const Dictionary& entry, const std::string& name)
     pair.name = name;
     pair.contactor = entry.word("contactor");
     pair.target = entry.word("target");
-    readOptions(pair, entry);
+    readOptions(pair, entry, false);
     pair.search = entry.choiceOr("search", "faces", {"faces", "closestParticle"}) == "faces"
                       ? ContactSearch::faces
                       : ContactSearch::closestParticle;
@@ -109,7 +110,7 @@ PairEntry readGeneral(const Dictionary& contactDict)
     general.name = generalContact;
     if (contactDict.isDictionary(generalContact)) {
         const Dictionary entry = contactDict.sub(generalContact);
-        readOptions(general, entry);
+        readOptions(general, entry, false);
         if (general.initialOverlap == InitialOverlap::move)
             entry.fail("initialOverlap", "in general contact nothing says which body should move",
                        "give the two bodies a pair of their own with 'initialOverlap move;'");

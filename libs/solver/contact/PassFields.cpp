@@ -41,6 +41,10 @@ PassFields::PassFields(const ContactPassSetup& setUp,
     contactorComponent.assign(setUp.contactorComponent);
     mayMeet.assign(setUp.mayMeet);
     mirrors.assign(setUp.mirrors);
+    edgeNode.assign(setUp.edgeNode);
+    edgeNext.assign(setUp.edgeNext);
+    firstEnds.assign(setUp.nodePasses[0].contactor);
+    secondEnds.assign(setUp.nodePasses[1].contactor);
     mirrorNormal.assign(setUp.mirrorNormal);
     faceStiffness.assign(setUp.faceStiffness);
     faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
@@ -60,10 +64,14 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(count)));
     const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
                damping = hasDamping(setUp), analytic = setUp.surface >= 0;
-    ownNormal.resize(3 * std::size_t(setUp.nodeCount));
+    const bool edges = setUp.ofEdges;
+    ownNormal.resize(edges ? 0 : 3 * std::size_t(setUp.nodeCount));
+    edgeState.resize(edges ? count : 0);
+    edgePhase.resize(edges ? count : 0);
+    passedOn.resize(edges ? count : 0);
     face.assign(std::vector<Index>(count, noFace));
     frictionFace.assign(std::vector<Index>(convected ? count : 0, noFace));
-    around.resize(count);
+    around.resize(edges ? 0 : count);
     xi.resize(count);
     eta.resize(count);
     tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
@@ -89,7 +97,7 @@ void PassFields::requireNumbers() const
         throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
                                                  name(), number, info.name, count));
     };
-    const std::size_t faces = faceNode.size() / 4;
+    const std::size_t faces = faceThickness.size();
     for (const Field<Index>* field : {&face, &frictionFace})
         for (const Index number : field->toHost()) require(field->info(), number, faces);
     if (entries.size() == 0) return; // nothing is searched: heads are not filled

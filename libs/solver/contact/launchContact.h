@@ -27,6 +27,8 @@ public:
         for (std::size_t pass = 0; pass < c.passes.size(); ++pass)
             if (setUp(pass).surface >= 0)
                 on_.executor.parallelFor(contactors(pass), surfaceForce(pass));
+            else if (setUp(pass).ofEdges)
+                edges(pass, EdgeLaunch::forces);
             else if (setUp(pass).law.friction > 0)
                 launchFaceForces<Numbers, true>(on_, pass);
             else
@@ -41,6 +43,10 @@ public:
 
     void measureOverlaps(std::size_t pass) override
     {
+        if (setUp(pass).ofEdges) {
+            edges(pass, EdgeLaunch::measureOverlaps);
+            return;
+        }
         on_.executor.parallelFor(
             contactors(pass),
             MeasureOverlap<Numbers>{view(pass), cells(pass), fields(pass).overlap.data()});
@@ -72,6 +78,8 @@ public:
         if (setUp(pass).surface >= 0)
             on_.executor.parallelBlocks(blocks(pass), Surface::scratch(),
                                         Surface{contactors(pass), {surfaceForce(pass)}, out});
+        else if (setUp(pass).ofEdges)
+            edges(pass, EdgeLaunch::status);
         else
             on_.executor.parallelBlocks(blocks(pass), Faces::scratch(),
                                         Faces{contactors(pass), {view(pass)}, out});
@@ -88,6 +96,7 @@ public:
     }
 
 private:
+    void edges(std::size_t pass, EdgeLaunch what) { launchEdges<Numbers>(on_, pass, what); }
     SurfaceForce<Numbers> surfaceForce(std::size_t pass)
     {
         PassFields& f = fields(pass);

@@ -113,8 +113,10 @@ def edges(binaries, marks):
     log = judged(marks, "wires, general", wires(binaries, "general;\n"), name)
     marks.true("told before a frame is written", "parts low and high: at time" in log
                and float(log.split("parts low and high: at time")[1].split()[0]) < 2.9e-4)
-    judged(marks, "wires, pair", wires(binaries, "pairs { p { contactor high; target low; "
-                                       "passes two; } }\n"), name)
+    pair = "pairs {{ p {{ contactor high; target low; passes two; {} }} }}\n"
+    judged(marks, "wires, pair", wires(binaries, pair.format("")), name)
+    judged(marks, "cured by contact of edges", wires(binaries, pair.format("edges yes;")), [])
+    judged(marks, "cured by general contact", wires(binaries, "general { edges yes; }\n"), [])
     judged(marks, "cured by elements as small as the other wire",
            wires(binaries, "general;\n", cells=60), [])
 
