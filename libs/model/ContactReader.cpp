@@ -108,9 +108,10 @@ PairEntry readGeneral(const Dictionary& contactDict)
 {
     PairEntry general;
     general.name = generalContact;
+    general.edges = true;
     if (contactDict.isDictionary(generalContact)) {
         const Dictionary entry = contactDict.sub(generalContact);
-        readOptions(general, entry, false);
+        readOptions(general, entry, true);
         if (general.initialOverlap == InitialOverlap::move)
             entry.fail("initialOverlap", "in general contact nothing says which body should move",
                        "give the two bodies a pair of their own with 'initialOverlap move;'");

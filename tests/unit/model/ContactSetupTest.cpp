@@ -244,8 +244,8 @@ TEST(ContactSetup, TellsTheSharpEdgesThatMayMeet)
         return shop.folder.logText();
     };
     // Along the twelve edges of boxes of 4 x 4 x 2 and of 3 x 3 x 1 elements.
-    EXPECT_TRUE(contains(edgesIn("general { edges yes; }"), "68 segments of sharp edges"));
-    EXPECT_FALSE(contains(edgesIn("general;"), "sharp edges"));
+    EXPECT_TRUE(contains(edgesIn("general;"), "68 segments of sharp edges"));
+    EXPECT_FALSE(contains(edgesIn("general { edges no; }"), "sharp edges"));
     EXPECT_FALSE(contains(edgesIn(onePair), "sharp edges"));
     EXPECT_TRUE(contains(edgesIn("pairs { press { contactor upper; target lower; edges yes; } }"),
                          "28 segments of sharp edges against 40"));
