@@ -30,6 +30,7 @@ template <class Work>
                          .decay = l.frictionDecay,
                          .stiffnessRatio = Work(l.tangentialScale / l.normalScale),
                          .paper = l.paperFriction},
+            .slipDamping = {Work(l.slipDamping), f.slipRate.data<Work>()},
             .tangentialForce = f.tangentialForce.data<Work>(),
             .frictionFace = f.frictionFace.data(),
             .springEnergy = f.springEnergy.data(),
