@@ -171,7 +171,7 @@ struct Control {
     CheckpointControl checkpoint;
     double historyInterval = 0;     ///< time between history rows; 0 = every step
     double timeStepSafety = 0.9;    ///< of the stability bound
-    double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound
+    double contactStepLimit = 0.8;  ///< omega_c dt, the energy-quality bound
     double maximumTimeStep = 0;     ///< > 0: no step is longer
     double fixedTimeStep = 0;       ///< > 0: this step, checked against the bound
     bool beyondBound = false;       ///< the fixed step may exceed it: to see what happens

@@ -123,8 +123,9 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
     rows.push_back({"friction while sliding / friction of Coulomb", sliding.ratio(),
                     HealthLimits::friction, "pair " + model_.contactPairs[pair].name,
                     sliding.worstTime(), sliding.ratio() < HealthLimits::friction,
-                    "body and contact chatter, so that contactors stick by turns: more "
-                    "bulkViscosity, hourglass { form viscous; } or normalDamping calm them"});
+                    "body and contact chatter, so that contactors stick by turns: damping of the "
+                    "friction (friction { static ...; damping 0.5; }), normalDamping and "
+                    "bulkViscosity calm them"});
 }
 
 void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const

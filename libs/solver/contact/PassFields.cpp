@@ -17,6 +17,11 @@ bool hasFriction(const ContactPassSetup& pass)
     return pass.law.friction > 0;
 }
 
+bool hasSlipDamping(const ContactPassSetup& pass)
+{
+    return hasFriction(pass) && !pass.law.paperFriction && pass.law.slipDamping > 0;
+}
+
 bool hasConvectedFriction(const ContactPassSetup& pass)
 {
     return hasFriction(pass) && !pass.law.paperFriction && pass.surface < 0;
@@ -49,10 +54,8 @@ PassFields::PassFields(const ContactPassSetup& setUp,
     faceStiffness.assign(setUp.faceStiffness);
     faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
     contactorStiffness.assign(setUp.contactorStiffness);
-    if (hasDamping(setUp)) {
-        contactorMass.assign(setUp.contactorMass);
-        faceMass.assign(setUp.faceMass);
-    }
+    if (hasDamping(setUp) || hasSlipDamping(setUp)) contactorMass.assign(setUp.contactorMass);
+    if (hasDamping(setUp)) faceMass.assign(setUp.faceMass);
     allocateState(setUp);
     allocateCells(setUp);
 }
@@ -76,6 +79,7 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     xi.resize(count);
     eta.resize(count);
     tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
+    slipRate.resize(hasSlipDamping(setUp) && !kinematic ? count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);

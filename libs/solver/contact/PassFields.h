@@ -61,6 +61,10 @@ struct PassFields : FieldSet {
         *this,
         {"tangentialForce", Location::contactor, Role::state, Renewal::keptInContact},
         Family::work};
+    /// Of SlipDamping.
+    NumberField slipRate{*this,
+                         {"slipRate", Location::contactor, Role::state, Renewal::keptInContact},
+                         Family::work};
     NumberField heldStiffness{
         *this,
         {"heldStiffness", Location::contactor, Role::state, Renewal::keptInContact},
@@ -118,6 +122,7 @@ private:
 
 bool hasDamping(const ContactPassSetup& pass);
 bool hasFriction(const ContactPassSetup& pass);
+bool hasSlipDamping(const ContactPassSetup& pass);
 /// The stored tangential force is kept in the frame of a face.
 bool hasConvectedFriction(const ContactPassSetup& pass);
 

@@ -16,13 +16,14 @@ struct PassLaw {
     const std::uint8_t*
         mirrors; ///< symmetry planes on which it lies, one bit each; each halves k_n; null: none
     FrictionLaw<Work> friction;
+    SlipDamping<Work> slipDamping;
     Work* tangentialForce;     ///< in a face's frame, or in fixed axes
     Index* frictionFace;       ///< face of that frame; null: fixed axes
     double* springEnergy;      ///< recoverable, of normal and tangential spring
     TouchMemory<Work> touch;   ///< of the normal spring
     double* dissipated;        ///< by friction, running sum
     Work dampingRatio;         ///< zeta; 0: no damping, and the arrays below are empty
-    const Work* contactorMass; ///< m_c; 0: the contactor cannot move
+    const Work* contactorMass; ///< m_c; 0: the contactor cannot move; null: no damping at all
     double* dampingForce;      ///< of the last step
     double* damped;            ///< by contact damping, running sum
     Work limitFactor; ///< factor of the spring's share in the stability bound: (sqrt(1 + zeta^2) +
@@ -96,10 +97,21 @@ struct PassLaw {
                                 Work normal,
                                 double step) const
     {
-        const Vec3<Work> force = frictionForce(
-            friction, from, slip, friction.stiffnessRatio * stiffness, normal, step, dissipated[i]);
+        const Vec3<Work> force =
+            frictionForce(friction, from, slip, friction.stiffnessRatio * stiffness, normal, step,
+                          dissipated[i], slidingResistance(i, slip, stiffness, step));
         store(i, force);
         return force;
+    }
+    /// A contactor that cannot move has none.
+    FPM_KERNEL Work slidingResistance(Index i,
+                                      const Vec3<Work>& slip,
+                                      Work stiffness,
+                                      double step) const
+    {
+        if (!slipDamping.acts()) return Work(0);
+        return slipDamping.resistance(i, squareRoot(dot(slip, slip)), stiffness, contactorMass[i],
+                                      step);
     }
     /// Recoverable energy of the springs.
     FPM_KERNEL double energy(Work stiffness, Work gap, const Vec3<Work>& tangential) const
@@ -126,6 +138,7 @@ struct PassLaw {
             touch.open(i, stiffness, gap);
         if (damps()) bookDamping(i, 0, gapChange);
         if (!friction.acts()) return;
+        slipDamping.forget(i);
         const Vec3<Work> held = storedForce(i);
         const Work square = dot(held, held);
         if (!(square > 0)) return;
