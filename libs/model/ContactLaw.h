@@ -26,6 +26,7 @@ struct ContactLaw {
     double friction = 0;         ///< Coulomb coefficient, static
     double dynamicFriction = -1; ///< at high slip speed; < 0: as the static one
     double frictionDecay = 0;    ///< of mu_s - mu_d with slip speed [time/length]
+    double slipDamping = 0.5;    ///< zeta of the resistance to fluctuations of the slip rate
     bool paperFriction = false;  ///< eqs. 17-18 as printed: the stored force does not turn
     /// s_n, s_t: k = s K A^2 / V. Between elastic bodies in contact the tangential stiffness is 2
     /// (1 - nu) / (2 - nu) of the normal one, 0.82 at nu 0.3 (Mindlin 1949).

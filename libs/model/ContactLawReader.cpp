@@ -14,6 +14,9 @@ void readFriction(const Dictionary& entry, ContactLaw& law)
 {
     law.friction = entry.number("static", nonNegative());
     law.paperFriction = entry.choiceOr("form", "objective", {"objective", "paper"}) == "paper";
+    if (law.paperFriction && entry.has("damping"))
+        entry.fail("damping", "friction of form paper has no damping", "leave one of the two out");
+    law.slipDamping = entry.numberOr("damping", law.slipDamping, between(0, 0.5));
     const bool slows = entry.has("dynamic");
     if (slows != entry.has("decay"))
         entry.fail(slows ? "dynamic" : "decay", "'dynamic' and 'decay' are given together",
@@ -111,7 +114,9 @@ ContactLaw readContactLaw(const Dictionary& pair, bool analytic)
     for (const PenaltyEntry& rule : penaltyEntries) words.push_back(rule.word);
     const std::string word = pair.choiceOr("penalty", entryOf(law.penalty).word, words);
     law.penalty = PenaltyRule(int(std::find(words.begin(), words.end(), word) - words.begin()));
-    law.normalDamping = pair.numberOr("normalDamping", 0.0, between(0, 1));
+    // Steady sliding needs a little of it (doc/defaults.md).
+    const bool slides = law.friction > 0 && !law.paperFriction;
+    law.normalDamping = pair.numberOr("normalDamping", slides ? 0.05 : 0.0, between(0, 1));
     return law;
 }
 

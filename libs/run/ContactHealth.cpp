@@ -31,9 +31,10 @@ constexpr std::array<Loss, 4> losses{
       "at least surfaces that are named without their sides"},
      {&PairForce::late, "lists of faces that were outrun",
       "contactors may have been missed: set searchInterval 1 or a smaller timeStep.maximum"},
-     {&PairForce::crowded, "searches with more than three bodies in reach of a node",
-      "it was held by the nearest three: join bodies in the mesh, or stagger them so that no more "
-      "than three meet"}}};
+     {&PairForce::crowded,
+      "searches with more than three bodies in reach of a node, or eight edges of an edge",
+      "it was held by the nearest: join bodies in the mesh, or stagger them so that no more "
+      "than three meet; smaller elements along an edge that lies across many others"}}};
 
 } // namespace
 
@@ -122,8 +123,9 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
     rows.push_back({"friction while sliding / friction of Coulomb", sliding.ratio(),
                     HealthLimits::friction, "pair " + model_.contactPairs[pair].name,
                     sliding.worstTime(), sliding.ratio() < HealthLimits::friction,
-                    "body and contact chatter, so that contactors stick by turns: more "
-                    "bulkViscosity, hourglass { form viscous; } or normalDamping calm them"});
+                    "body and contact chatter, so that contactors stick by turns: damping of the "
+                    "friction (friction { static ...; damping 0.5; }), normalDamping and "
+                    "bulkViscosity calm them"});
 }
 
 void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const

@@ -54,6 +54,8 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
     if (pass.surface >= 0)
         does = "analytic surface " + model.rigidSurfaces[std::size_t(pass.surface)].name
                + (pass.kinematic ? ", met exactly" : ", springs");
+    else if (pass.ofEdges)
+        does = "sharp edges";
     else {
         add(pass.search == ContactSearch::faces, "search faces");
         add(pass.search == ContactSearch::closestParticle, "search closestParticle");
@@ -64,6 +66,8 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
     add(pass.law.normalDamping > 0 && !pass.kinematic, "damping");
     add(pass.components > 1, "several bodies a node");
     add(pass.forgives, "initial overlap forgiven");
+    if (pass.ofEdges)
+        return format("contact {}: {}; {} segments", pair.name, does, pass.faceThickness.size());
     return format("contact {}{}: {}; {} contactors on {} faces", pair.name,
                   pass.reversed ? ", second pass" : "", does, pass.contactor.size(),
                   pass.faceThickness.size());

@@ -3,7 +3,6 @@
 #include "base/Format.h"
 #include "base/Hash.h"
 #include "case/PerformanceRecord.h"
-#include "io/OutputFolder.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
@@ -166,7 +165,7 @@ void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
         record.contactLimitedBy = stepLimit(solver, model);
 }
 
-PerformanceRecord performanceOf(Solver& solver, const Model& model)
+PerformanceRecord performanceOf(Solver& solver, const Model& model, const EarlierParts& earlier)
 {
     PerformanceRecord record;
     const StepTimes& t = solver.times();
@@ -181,7 +180,10 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.steps = clock.steps;
     record.searches = t.searches;
     record.deviceBytes = std::int64_t(solver.fields().bytes());
-    record.wallSeconds = t.total;
+    record.wallSeconds = earlier.stepSeconds + t.total;
+    record.parts = earlier.count + 1;
+    record.partSteps = t.steps;
+    record.partSeconds = t.total;
     record.threads = t.threads;
     const double steps = double(t.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
@@ -203,9 +205,16 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
 
 } // namespace
 
+void EarlierParts::keep(Archive& archive)
+{
+    archive(count);
+    archive(stepSeconds);
+}
+
 void reportPerformance(Solver& solver,
                        const Model& model,
-                       const std::filesystem::path& caseRoot,
+                       const EarlierParts& earlier,
+                       const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log)
 {
@@ -224,11 +233,14 @@ void reportPerformance(Solver& solver,
                         toText(100 * t.element / t.total, 3),
                         toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
                         toText(100 * t.node / t.total, 3)));
-    PerformanceRecord record = performanceOf(solver, model);
+    PerformanceRecord record = performanceOf(solver, model, earlier);
+    if (earlier.count > 0)
+        log.line(format("  the whole run: {} steps, {} s, in {} parts", record.steps,
+                        toText(record.wallSeconds, 4), record.parts));
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
-    OutputFolder(caseRoot).write(performanceFile, record.text());
+    theCase.write(performanceFile, record.text());
 }
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/PartMaterial.h"
-#include "unit/solver/kindScenes.h"
+#include "unit/solver/edgeScenes.h"
 
 #include <cmath>
 #include <string>
@@ -112,6 +112,7 @@ inline void addContacts(std::vector<Scene>& scenes)
     const std::vector<ElementSide> sides = skin(fold.mesh, 0);
     addContact(fold, "own", sides, sides).kind = ContactKind::self;
     scenes.push_back({"self-contact", fold});
+    scenes.push_back({"edges that slide", slidingRoofs()});
     for (Part& part : paper.parts) part.rotation = RotationForm::arcsine;
     paper.control.midStepStrain = false;
     ContactPair& pair = paper.contactPairs[0];

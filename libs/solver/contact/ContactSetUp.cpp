@@ -3,6 +3,7 @@
 #include "kernels/contact/ContactPassView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
+#include "solver/contact/EdgeSetUp.h"
 #include "solver/contact/MirrorPlanes.h"
 #include "solver/contact/Penalties.h"
 #include "solver/elements/ModelSizes.h"
@@ -178,7 +179,7 @@ ContactPassSetup makePass(const SolverSetUp& data,
     return out;
 }
 
-/// The passes of a pair: one, or two.
+/// The passes of a pair: one, or two, and that of the edges.
 void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
 {
     const ContactPair& pair = model.contactPairs[number];
@@ -190,10 +191,12 @@ void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
     }
     data.contact.passes.push_back(makePass(data, model, pair, own, pair.targetSides));
     data.contact.passes.back().pair = number;
-    if (pair.passes < 2) return;
-    data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own));
-    data.contact.passes.back().pair = number;
-    data.contact.passes.back().reversed = true;
+    if (pair.passes == 2) {
+        data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own));
+        data.contact.passes.back().pair = number;
+        data.contact.passes.back().reversed = true;
+    }
+    if (pair.edges) addEdgePass(data, model, number, own);
 }
 
 /// Which kinematic passes a node is a contactor of, in their order.

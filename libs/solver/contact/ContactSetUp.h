@@ -4,6 +4,8 @@
 #include "kernels/contact/law/RigidSurface.h"
 #include "model/Model.h"
 
+#include <array>
+
 namespace fpm {
 
 /// One pass of a contact pair prepared on the host: surfaces, neighbours, frozen stiffness.
@@ -38,6 +40,18 @@ struct ContactPassSetup {
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
     std::vector<std::uint8_t> mayMeet;
     Index components = 1;
+    /// Segments of sharp edges instead of nodes and faces: contactors and faces are segments, those
+    /// of both sides numbered as one.
+    bool ofEdges = false;
+    std::vector<Index> edgeNode; ///< [6 * segment], as EdgePassView
+    std::vector<Index> edgeNext; ///< [2 * segment + end], as EdgePassView
+    Index firstTarget = 0;       ///< segments from here on are partners
+    double queryHalf = 0;        ///< as EdgePassView
+    struct NodePass {
+        Index number = -1;            ///< of a pass of nodes against faces of the pair; -1: none
+        std::vector<Index> contactor; ///< in it, of either end of each segment; -1: none
+    };
+    std::array<NodePass, 2> nodePasses;
 };
 
 /// Passes of all contact pairs and the nodes they act on, in the layout of the kernels.

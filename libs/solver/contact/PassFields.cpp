@@ -17,6 +17,11 @@ bool hasFriction(const ContactPassSetup& pass)
     return pass.law.friction > 0;
 }
 
+bool hasSlipDamping(const ContactPassSetup& pass)
+{
+    return hasFriction(pass) && !pass.law.paperFriction && pass.law.slipDamping > 0;
+}
+
 bool hasConvectedFriction(const ContactPassSetup& pass)
 {
     return hasFriction(pass) && !pass.law.paperFriction && pass.surface < 0;
@@ -41,14 +46,16 @@ PassFields::PassFields(const ContactPassSetup& setUp,
     contactorComponent.assign(setUp.contactorComponent);
     mayMeet.assign(setUp.mayMeet);
     mirrors.assign(setUp.mirrors);
+    edgeNode.assign(setUp.edgeNode);
+    edgeNext.assign(setUp.edgeNext);
+    firstEnds.assign(setUp.nodePasses[0].contactor);
+    secondEnds.assign(setUp.nodePasses[1].contactor);
     mirrorNormal.assign(setUp.mirrorNormal);
     faceStiffness.assign(setUp.faceStiffness);
     faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
     contactorStiffness.assign(setUp.contactorStiffness);
-    if (hasDamping(setUp)) {
-        contactorMass.assign(setUp.contactorMass);
-        faceMass.assign(setUp.faceMass);
-    }
+    if (hasDamping(setUp) || hasSlipDamping(setUp)) contactorMass.assign(setUp.contactorMass);
+    if (hasDamping(setUp)) faceMass.assign(setUp.faceMass);
     allocateState(setUp);
     allocateCells(setUp);
 }
@@ -61,19 +68,27 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
                damping = hasDamping(setUp), analytic = setUp.surface >= 0,
                kinematic = setUp.kinematic, spring = analytic && !kinematic;
-    ownNormal.resize(3 * std::size_t(setUp.nodeCount));
+    const bool edges = setUp.ofEdges;
+    ownNormal.resize(edges ? 0 : 3 * std::size_t(setUp.nodeCount));
+    edgeState.resize(edges ? count : 0);
+    edgePhase.resize(edges ? count : 0);
+    passedOn.resize(edges ? count : 0);
     face.assign(std::vector<Index>(count, noFace));
     frictionFace.assign(std::vector<Index>(convected ? count : 0, noFace));
-    around.resize(count);
+    around.resize(edges ? 0 : count);
     xi.resize(count);
     eta.resize(count);
-    tangentialForce.resize(rough && !kinematic ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
+    slipRate.resize(hasSlipDamping(setUp) && !kinematic ? count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
     surfaceForce.resize(spring ? 3 * count : 0);
     springEnergy.resize(kinematic ? 0 : count);
+    touchGap.resize(kinematic ? 0 : count);
+    touchExtra.resize(kinematic ? 0 : count);
+    touchSurplus.resize(kinematic ? 0 : count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
     damped.resize(damping || kinematic ? count : 0);
@@ -91,7 +106,7 @@ void PassFields::requireNumbers() const
         throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
                                                  name(), number, info.name, count));
     };
-    const std::size_t faces = faceNode.size() / 4;
+    const std::size_t faces = faceThickness.size();
     for (const Field<Index>* field : {&face, &frictionFace})
         for (const Index number : field->toHost()) require(field->info(), number, faces);
     if (entries.size() == 0) return; // nothing is searched: heads are not filled

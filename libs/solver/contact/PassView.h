@@ -25,9 +25,11 @@ template <class Work>
             // Mass is halved there by itself.
             .mirrors = entryOf(l.penalty).byMass ? nullptr : f.mirrors.data(),
             .friction = frictionLaw<Work>(l),
+            .slipDamping = {Work(l.slipDamping), f.slipRate.data<Work>()},
             .tangentialForce = f.tangentialForce.data<Work>(),
             .frictionFace = f.frictionFace.data(),
             .springEnergy = f.springEnergy.data(),
+            .touch = {f.touchGap.data<Work>(), f.touchExtra.data<Work>(), f.touchSurplus.data()},
             .dissipated = f.dissipated.data(),
             .dampingRatio = Work(l.normalDamping),
             .contactorMass = f.contactorMass.data<Work>(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/SharpEdges.h"
 #include "solver/SetUp.h"
 
 namespace fpm {
@@ -12,6 +13,14 @@ void addPenalty(ContactPassSetup& out,
                 const ContactPair& pair,
                 const std::vector<ElementSide>& own,
                 const std::vector<ElementSide>& target);
+
+/// The same of a pass of sharp edges. The two edges of a pair are alike: where the rule asks only
+/// for the target, the lesser stiffness counts; a pair has one spring, with all of the stiffness.
+void addEdgePenalty(ContactPassSetup& out,
+                    const SolverSetUp& data,
+                    const Model& model,
+                    const ContactPair& pair,
+                    const std::vector<SharpEdge>& edges);
 
 /// Largest stiffness a spring of the pair can have.
 double largestStiffness(const ContactPassSetup& pass);

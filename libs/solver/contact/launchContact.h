@@ -31,6 +31,8 @@ public:
                 continue; // the nodes see to it themselves, once all their forces are known
             else if (setUp(pass).surface >= 0)
                 on_.executor.parallelFor(contactors(pass), surfaceForce(pass));
+            else if (setUp(pass).ofEdges)
+                edges(pass, EdgeLaunch::forces);
             else if (setUp(pass).law.friction > 0)
                 launchFaceForces<Numbers, true>(on_, pass);
             else
@@ -45,6 +47,10 @@ public:
 
     void measureOverlaps(std::size_t pass) override
     {
+        if (setUp(pass).ofEdges) {
+            edges(pass, EdgeLaunch::measureOverlaps);
+            return;
+        }
         on_.executor.parallelFor(
             contactors(pass),
             MeasureOverlap<Numbers>{view(pass), cells(pass), fields(pass).overlap.data()});
@@ -79,6 +85,8 @@ public:
             on_.executor.parallelBlocks(
                 blocks(pass), Surface::scratch(),
                 Surface{contactors(pass), {surfaceForce(pass), fields(pass).reading.data()}, out});
+        else if (setUp(pass).ofEdges)
+            edges(pass, EdgeLaunch::status);
         else
             on_.executor.parallelBlocks(blocks(pass), Faces::scratch(),
                                         Faces{contactors(pass), {view(pass)}, out});
@@ -95,6 +103,7 @@ public:
     }
 
 private:
+    void edges(std::size_t pass, EdgeLaunch what) { launchEdges<Numbers>(on_, pass, what); }
     /// Forces on the contactors of a kinematic pass, and half works that are not booked yet.
     void read(std::size_t pass)
     {

@@ -40,6 +40,11 @@ TEST(ContactLawReader, TakesOneCoefficientOrTheWholeLaw)
     EXPECT_EQ(lawOf("").friction, 0);
     EXPECT_EQ(lawOf("friction 0.3;").friction, 0.3);
     EXPECT_LT(lawOf("friction 0.3;").dynamicFriction, 0);
+    EXPECT_EQ(lawOf("friction { static 0.3; damping 0.1; }").slipDamping, 0.1);
+    EXPECT_EQ(lawOf("friction 0.3;").normalDamping, 0.05);
+    EXPECT_EQ(lawOf("friction 0.3; normalDamping 0;").normalDamping, 0);
+    EXPECT_EQ(lawOf("friction { static 0.3; form paper; }").normalDamping, 0);
+    EXPECT_EQ(lawOf("").normalDamping, 0);
     const ContactLaw law = lawOf("friction { static 0.4; dynamic 0.3; decay 2; form paper; }"
                                  "penalty series; normalDamping 0.1; normalScale 0.5;");
     EXPECT_EQ(law.friction, 0.4);
@@ -138,6 +143,7 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
          {std::pair{"passes two;", "no nodes for a second pass"},
           std::pair{"search closestParticle;", "no particles to search"},
           std::pair{"projection cold;", "no faces to project on"},
+          std::pair{"edges yes;", "the target has no edges"},
           std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
         folder.write("system/contactDict",
                      std::string("pairs { onWall { contactor box; target wall; ") + option

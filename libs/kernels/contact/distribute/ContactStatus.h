@@ -65,8 +65,8 @@ struct FaceStatus {
         if (pass.heldStiffness && pass.heldStiffness[i] > 0) stiffness = pass.heldStiffness[i];
         if (law.friction.acts()) {
             const Vec3<Work> held = law.storedForce(i);
-            out.friction = inDoubles(
-                law.frictionFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
+            out.friction =
+                inDoubles(law.frictionFace ? vectorIn(FaceFrame<Work>(corners), held) : held);
             Work n[4];
             shapeFunctions(at.xi, at.eta, n);
             Vec3<Work> velocity = pass.velocityOf(pass.contactor[i]);

@@ -58,7 +58,8 @@ struct SurfaceForce {
         if (near && at.gap < 0)
             applyForces(i, at, x, displacement, stiffness, fixed);
         else
-            law.open(i, stiffness, Work(dot(displacement, at.normal)));
+            law.open(i, stiffness, Work(dot(displacement, at.normal)),
+                     Work(at.opposite ? at.gap : -1));
         distribute(i, near, stiffness, fixed);
         if (shape.moves) work[i] += 0.5 * dot(before + lastForce(i), surfaceDisplacement);
     }
