@@ -51,12 +51,15 @@ Enforcement readEnforcement(const Dictionary& pair, bool analytic)
                              "without springs",
                              key),
                       instead);
-    if (pair.isDictionary("friction") && pair.sub("friction").has("form"))
-        pair.sub("friction")
-            .fail("form",
-                  "'form' is for the elastic slip of springs, and an analytic "
-                  "surface is met exactly, without springs",
-                  instead);
+    if (!pair.isDictionary("friction")) return Enforcement::kinematic;
+    for (const char* key : {"form", "damping"})
+        if (pair.sub("friction").has(key))
+            pair.sub("friction")
+                .fail(key,
+                      format("'{}' is for the elastic slip of springs, and an "
+                             "analytic surface is met exactly, without springs",
+                             key),
+                      instead);
     return Enforcement::kinematic;
 }
 

@@ -65,8 +65,9 @@ TEST(ContactLawReader, AnalyticSurfacesAreMetExactlyUnlessSpringsAreAskedFor)
     EXPECT_EQ(lawOf("enforcement kinematic;", true).enforcement, Enforcement::kinematic);
     EXPECT_EQ(lawOf(springs, true).enforcement, Enforcement::penalty);
     EXPECT_EQ(lawOf("friction 0.3;").enforcement, Enforcement::penalty);
-    for (const char* key : {"normalScale 1;", "tangentialScale 1;", "penalty series;",
-                            "normalDamping 0.1;", "friction { static 0.3; form paper; }"})
+    for (const char* key :
+         {"normalScale 1;", "tangentialScale 1;", "penalty series;", "normalDamping 0.1;",
+          "friction { static 0.3; form paper; }", "friction { static 0.3; damping 0.2; }"})
         EXPECT_TRUE(contains(refusal([&] { lawOf(key, true); }), "met exactly")) << key;
     EXPECT_TRUE(contains(refusal([] { lawOf("enforcement kinematic;"); }), "a plane, cylinder"));
 }
