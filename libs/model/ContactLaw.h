@@ -17,6 +17,10 @@ constexpr const PenaltyEntry& entryOf(PenaltyRule rule)
     return penaltyEntries[std::size_t(rule)];
 }
 
+/// How contact with an analytic surface is enforced: exactly, at the end of every step; or by
+/// springs, as against faces.
+enum class Enforcement { kinematic, penalty };
+
 /// Contact law of a pair of system/contactDict.
 struct ContactLaw {
     double friction = 0;         ///< Coulomb coefficient, static
@@ -28,7 +32,8 @@ struct ContactLaw {
     /// (1 - nu) / (2 - nu) of the normal one, 0.82 at nu 0.3 (Mindlin 1949).
     double normalScale = 1, tangentialScale = 0.8;
     PenaltyRule penalty = PenaltyRule::target;
-    double normalDamping = 0; ///< zeta of F = -2 zeta sqrt(k m*) dg/dt
+    Enforcement enforcement = Enforcement::kinematic; ///< against analytic surfaces
+    double normalDamping = 0;                         ///< zeta of F = -2 zeta sqrt(k m*) dg/dt
 };
 
 } // namespace fpm

@@ -31,6 +31,38 @@ void readFriction(const Dictionary& entry, ContactLaw& law)
             "a body that slides is held less than one that sticks");
 }
 
+/// Exact against analytic surfaces unless springs are asked for; then what shapes springs has no
+/// meaning.
+Enforcement readEnforcement(const Dictionary& pair, bool analytic)
+{
+    const std::string word =
+        pair.choiceOr("enforcement", analytic ? "kinematic" : "penalty", {"kinematic", "penalty"});
+    if (word == "penalty") return Enforcement::penalty;
+    if (!analytic)
+        pair.fail("enforcement",
+                  "kinematic enforcement needs a plane, cylinder or sphere as target",
+                  "remove the entry: faces press by springs; or let the target be an entry of "
+                  "'surfaces' with a 'type'");
+    const std::string instead = "remove the entry; or write 'enforcement penalty;' for springs";
+    for (const char* key : {"normalScale", "tangentialScale", "penalty", "normalDamping"})
+        if (pair.has(key))
+            pair.fail(key,
+                      format("'{}' shapes springs, and an analytic surface is met exactly, "
+                             "without springs",
+                             key),
+                      instead);
+    if (!pair.isDictionary("friction")) return Enforcement::kinematic;
+    for (const char* key : {"form", "damping"})
+        if (const Dictionary friction = pair.sub("friction"); friction.has(key))
+            friction.fail(
+                key,
+                format("'{}' is for the elastic slip of springs, and an analytic surface is met "
+                       "exactly, without springs",
+                       key),
+                instead);
+    return Enforcement::kinematic;
+}
+
 Point direction(const Dictionary& entry, const std::string& key)
 {
     const Point v = entry.vector(key);
@@ -70,10 +102,11 @@ void readMotion(const Dictionary& entry, RigidSurface& surface)
 
 } // namespace
 
-ContactLaw readContactLaw(const Dictionary& pair)
+ContactLaw readContactLaw(const Dictionary& pair, bool analytic)
 {
     const Range scale{0, 100, true, false};
     ContactLaw law;
+    law.enforcement = readEnforcement(pair, analytic);
     if (pair.isDictionary("friction"))
         readFriction(pair.sub("friction"), law);
     else
@@ -85,7 +118,8 @@ ContactLaw readContactLaw(const Dictionary& pair)
     const std::string word = pair.choiceOr("penalty", entryOf(law.penalty).word, words);
     law.penalty = PenaltyRule(int(std::find(words.begin(), words.end(), word) - words.begin()));
     // Steady sliding needs a little of it (doc/defaults.md).
-    const bool slides = law.friction > 0 && !law.paperFriction;
+    const bool slides =
+        law.friction > 0 && !law.paperFriction && law.enforcement == Enforcement::penalty;
     law.normalDamping = pair.numberOr("normalDamping", slides ? 0.05 : 0.0, between(0, 1));
     return law;
 }

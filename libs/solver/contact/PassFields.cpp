@@ -9,7 +9,7 @@ namespace fpm {
 
 bool hasDamping(const ContactPassSetup& pass)
 {
-    return pass.law.normalDamping > 0;
+    return pass.law.normalDamping > 0 && !pass.kinematic;
 }
 
 bool hasFriction(const ContactPassSetup& pass)
@@ -19,7 +19,8 @@ bool hasFriction(const ContactPassSetup& pass)
 
 bool hasSlipDamping(const ContactPassSetup& pass)
 {
-    return hasFriction(pass) && !pass.law.paperFriction && pass.law.slipDamping > 0;
+    return hasFriction(pass) && !pass.kinematic && !pass.law.paperFriction
+           && pass.law.slipDamping > 0;
 }
 
 bool hasConvectedFriction(const ContactPassSetup& pass)
@@ -46,6 +47,10 @@ PassFields::PassFields(const ContactPassSetup& setUp,
     contactorComponent.assign(setUp.contactorComponent);
     mayMeet.assign(setUp.mayMeet);
     mirrors.assign(setUp.mirrors);
+    edgeNode.assign(setUp.edgeNode);
+    edgeNext.assign(setUp.edgeNext);
+    firstEnds.assign(setUp.nodePasses[0].contactor);
+    secondEnds.assign(setUp.nodePasses[1].contactor);
     mirrorNormal.assign(setUp.mirrorNormal);
     faceStiffness.assign(setUp.faceStiffness);
     faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
@@ -62,28 +67,34 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     const std::size_t count = setUp.contactor.size();
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(count)));
     const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
-               damping = hasDamping(setUp), analytic = setUp.surface >= 0;
-    ownNormal.resize(3 * std::size_t(setUp.nodeCount));
+               damping = hasDamping(setUp), analytic = setUp.surface >= 0,
+               kinematic = setUp.kinematic, spring = analytic && !kinematic;
+    const bool edges = setUp.ofEdges;
+    ownNormal.resize(edges ? 0 : 3 * std::size_t(setUp.nodeCount));
+    edgeState.resize(edges ? count : 0);
+    edgePhase.resize(edges ? count : 0);
+    passedOn.resize(edges ? count : 0);
     face.assign(std::vector<Index>(count, noFace));
     frictionFace.assign(std::vector<Index>(convected ? count : 0, noFace));
-    around.resize(count);
+    around.resize(edges ? 0 : count);
     xi.resize(count);
     eta.resize(count);
-    tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
     slipRate.resize(hasSlipDamping(setUp) ? count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
-    surfaceForce.resize(analytic ? 3 * count : 0);
-    springEnergy.resize(count);
-    touchGap.resize(count);
-    touchExtra.resize(count);
-    touchSurplus.resize(count);
+    surfaceForce.resize(spring ? 3 * count : 0);
+    springEnergy.resize(kinematic ? 0 : count);
+    touchGap.resize(kinematic ? 0 : count);
+    touchExtra.resize(kinematic ? 0 : count);
+    touchSurplus.resize(kinematic ? 0 : count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
-    damped.resize(damping ? count : 0);
+    damped.resize(damping || kinematic ? count : 0);
     surfaceWork.resize(analytic ? count : 0);
+    reading.resize(kinematic ? surfaceReadings * count : 0);
     injected.resize(setUp.fadeTime > 0 ? 2 * count : 0);
     counts.resize(passCounts);
     sums.resize(passSums * blocks);
@@ -96,7 +107,7 @@ void PassFields::requireNumbers() const
         throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
                                                  name(), number, info.name, count));
     };
-    const std::size_t faces = faceNode.size() / 4;
+    const std::size_t faces = faceThickness.size();
     for (const Field<Index>* field : {&face, &frictionFace})
         for (const Index number : field->toHost()) require(field->info(), number, faces);
     if (entries.size() == 0) return; // nothing is searched: heads are not filled

@@ -35,6 +35,11 @@ struct PassFields : FieldSet {
         *this, {"contactorStiffness", Location::contactor, Role::derived}, Family::work};
     NumberField contactorMass{
         *this, {"contactorMass", Location::contactor, Role::derived}, Family::work};
+    /// Of segments of edges, see EdgePassView.
+    Field<Index> edgeNode{*this, {"edgeNode", Location::face, Role::derived}};
+    Field<Index> edgeNext{*this, {"edgeNext", Location::face, Role::derived}};
+    Field<Index> firstEnds{*this, {"firstEnds", Location::face, Role::derived}};
+    Field<Index> secondEnds{*this, {"secondEnds", Location::face, Role::derived}};
     /// Blocks where threads of the CPU need atomic additions; null: none or all.
     Field<std::uint8_t> shared{*this, {"shared", Location::block, Role::derived}};
 
@@ -43,6 +48,10 @@ struct PassFields : FieldSet {
     Field<Index> face{*this, {"face", Location::contactor, Role::state}};
     Field<Index> frictionFace{
         *this, {"frictionFace", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<std::uint8_t> edgeState{
+        *this, {"edgeState", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<std::uint8_t> edgePhase{*this, {"edgePhase", Location::contactor, Role::scratch}};
+    Field<Index> passedOn{*this, {"passedOn", Location::contactor, Role::scratch}};
     Field<std::uint8_t> around{*this, {"around", Location::contactor, Role::state}};
     NumberField xi{
         *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
@@ -86,6 +95,8 @@ struct PassFields : FieldSet {
     Field<double> damped{*this, {"damped", Location::contactor, Role::state, Renewal::kept}};
     Field<double> surfaceWork{*this,
                               {"surfaceWork", Location::contactor, Role::state, Renewal::kept}};
+    /// Of a surface that is met exactly, see SurfaceReading.
+    Field<double> reading{*this, {"reading", Location::contactor, Role::scratch}};
     /// Two planes, see ContactPassView.
     Field<double> injected{*this, {"injected", Location::contactor, Role::state, Renewal::kept}};
     Field<std::int64_t> counts{*this, {"counts", Location::global, Role::state}};

@@ -18,10 +18,9 @@ def sliding(binaries, velocity, friction, end, slope=0.0):
         conditions=f"weight {{ type gravity; value ({down[0]!r} 0 {down[1]!r}); }}",
         initial=f"v {{ type velocity; part block; value ({velocity[0]!r} {velocity[1]!r} 0); }}",
         surfaces="floor { type plane; point (0 0 0); normal (0 0 1); }",
-        pairs=f"blockFloor {{ contactor block.zMin; target floor; friction {friction}; "
-              "normalScale 1; tangentialScale 1; normalDamping 0.3; }",
+        pairs=f"blockFloor {{ contactor block.zMin; target floor; friction {friction}; }}",
         functions="centre { type point; part block; position (0.05 0.05 0.05); "
-                  "fields (displacement velocity); }",
+                  "fields (displacement); }\nall { type part; part block; }",
         end=end, rows=2000).all()
 
 
@@ -30,12 +29,12 @@ def brake(binaries, marks, speed, friction, angle=0.0):
     time, way = speed / (friction * GRAVITY), speed**2 / (2 * friction * GRAVITY)
     velocity = (speed * math.cos(angle), speed * math.sin(angle))
     with sliding(binaries, velocity, friction, time + 0.2) as case:
-        u, v = case.point("centre"), case.point("centre", "velocity")
+        u, p = case.point("centre"), case.table("all/0/part.dat")
         along = [(x * velocity[0] + y * velocity[1]) / speed for x, y in zip(u["ux"], u["uy"])]
         name = f"G1 {speed:g} m/s, mu {friction}" + (", 45 degrees" if angle else "")
         marks.against(f"{name}: way", along[-1], way, 0.005, "m")
-        stopped = next(t for t, x, y in zip(v["time"], v["vx"], v["vy"])
-                       if x * velocity[0] + y * velocity[1] < 1e-3 * speed**2)
+        momentum = [x * velocity[0] + y * velocity[1] for x, y in zip(p["px"], p["py"])]
+        stopped = next(t for t, now in zip(p["time"], momentum) if now < 1e-3 * momentum[0])
         marks.against("time", stopped, time, 0.005, "s")
         e = case.energies()
         marks.against("heat / kinetic energy", e["friction"][-1] / e["kinetic"][0], 1, 0.005)
@@ -75,8 +74,7 @@ def pad(binaries, marks):
                    "lane { type fixed; part spring; components (y); }\n"
                    f"push {{ type force; part block; value ({push} 0 0); components (x); }}\n"
                    f"press {{ type force; part block; value (0 0 {-normal}); components (z); }}",
-        pairs=f"padFloor {{ contactor under; target floor; friction {friction}; "
-              "normalScale 10; tangentialScale 1; normalDamping 0.3; }",
+        pairs=f"padFloor {{ contactor under; target floor; friction {friction}; }}",
         surfaces="under { part block; facing (0 0 -1); }\n"
                  "floor { type plane; point (0 0 -0.5); normal (0 0 1); }",
         functions="pad { type point; part block; position (1 0.5 0.5); fields (displacement); }",

@@ -110,13 +110,15 @@ def wires(binaries, contact, cells=12):
 
 def edges(binaries, marks):
     name = ["edges that pass through the other surface / width of a face"]
-    log = judged(marks, "wires, general", wires(binaries, "general;\n"), name)
+    log = judged(marks, "wires, general", wires(binaries, "general { edges no; }\n"), name)
     marks.true("told before a frame is written", "parts low and high: at time" in log
                and float(log.split("parts low and high: at time")[1].split()[0]) < 2.9e-4)
-    judged(marks, "wires, pair", wires(binaries, "pairs { p { contactor high; target low; "
-                                       "passes two; } }\n"), name)
+    pair = "pairs {{ p {{ contactor high; target low; passes two; {} }} }}\n"
+    judged(marks, "wires, pair", wires(binaries, pair.format("")), name)
+    judged(marks, "cured by contact of edges", wires(binaries, pair.format("edges yes;")), [])
+    judged(marks, "cured by general contact", wires(binaries, "general;\n"), [])
     judged(marks, "cured by elements as small as the other wire",
-           wires(binaries, "general;\n", cells=60), [])
+           wires(binaries, "general { edges no; }\n", cells=60), [])
 
 
 BLOCK = box("a", (0, 0, 0), (20, 10, 10), (4, 2, 2))
@@ -195,7 +197,8 @@ def balance(binaries, marks):
                      parts=steel("a"), end=2e-5, rows=100,
                      control=f"timeStep {{ contactLimit {limit}; }}",
                      initial="v { type velocity; part a; value (0 0 -1000); }",
-                     pairs="p { contactor a.zMin; target f; normalScale 4; }",
+                     pairs="p { contactor a.zMin; target f; enforcement penalty; "
+                           "normalScale 4; }",
                      surfaces="f { type plane; point (0 0 -0.01); normal (0 0 1); }")
     judged(marks, "step too long for contact", bounce(1.5), ["energy balance error"])
     judged(marks, "cured by a smaller contactLimit", bounce(0.5), [])
@@ -246,6 +249,7 @@ def friction(binaries, marks):
 
 def dragged(binaries, friction, fine=1, onMesh=False):
     """A steel block under 1000 N, led by one end at 0.2 m/s over a rigid plane or a steel plate."""
+    target = "t.zMax" if onMesh else "f; enforcement penalty"
     plate = box("t", (-5, -5, -5), (35, 20, 5), (13, 7, 2)) if onMesh else ""
     return Scene(binaries, bodies=box("a", (0, 0, 0), (20, 10, 10), (8 * fine, 4 * fine, 4 * fine))
                  + plate, parts=steel("a", "t") if onMesh else steel("a"), end=2.5e-3 / fine,
@@ -253,7 +257,7 @@ def dragged(binaries, friction, fine=1, onMesh=False):
                  " area; amplitude smooth ((0 0) (3e-4 1)); } drag { type velocity; set a.xMin; "
                  "value (200 0 0); components (x); amplitude smooth ((0 0) (5e-4 0) (8e-4 1)); }"
                  + ("h { type fixed; set t.zMin; }" if onMesh else ""),
-                 pairs=f"p {{ contactor a.zMin; target {'t.zMax' if onMesh else 'f'}; {friction} }}",
+                 pairs=f"p {{ contactor a.zMin; target {target}; {friction} }}",
                  surfaces="" if onMesh else "f { type plane; point (0 0 0); normal (0 0 1); }")
 
 

@@ -129,6 +129,7 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
          {std::pair{"passes two;", "no nodes for a second pass"},
           std::pair{"search closestParticle;", "no particles to search"},
           std::pair{"projection cold;", "no faces to project on"},
+          std::pair{"edges yes;", "the target has no edges"},
           std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
         folder.write("system/contactDict",
                      std::string("pairs { onWall { contactor box; target wall; ") + option

@@ -52,6 +52,7 @@ TEST(PairStatus, HalfAModelTellsTheMeansOfTheWhole)
         model.parts = {aluminium(PartKind::elastic, HourglassForm::stiffness, "block")};
         ContactPair& pair = addContact(model, "touch", facing(model.mesh, "block", {0, 0, -1}), {});
         pair.surface = 0;
+        pair.enforcement = Enforcement::penalty;
         RigidSurface wall;
         wall.name = "wall";
         wall.axis = {0, 0, 1};
@@ -114,6 +115,7 @@ TEST(PairStatus, AnAnalyticSurfaceHasDepthAndNoThickness)
     model.parts = {aluminium(PartKind::elastic, HourglassForm::stiffness, "block")};
     ContactPair& pair = addContact(model, "touch", facing(model.mesh, "block", {0, 0, -1}), {});
     pair.surface = 0;
+    pair.enforcement = Enforcement::penalty;
     RigidSurface wall;
     wall.name = "wall";
     wall.axis = {0, 0, 1};

@@ -44,6 +44,13 @@ struct SlipDamping {
     {
         if (acts()) mean[i] = 0;
     }
+    /// Another slot goes on with the same slip.
+    FPM_KERNEL void handOver(Index from, Index to) const
+    {
+        if (!acts()) return;
+        mean[to] = mean[from];
+        mean[from] = 0;
+    }
     /// Force beside mu N; the mean follows.
     FPM_KERNEL Work resistance(Index i, Work slip, Work stiffness, Work mass, double step) const
     {
@@ -104,6 +111,15 @@ FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, c
     return v - (dot(to, v) / onePlusCosine) * (from + to);
 }
 
+/// Vector turned into a plane by the smallest rotation; its length is kept.
+template <class Work>
+FPM_KERNEL Vec3<Work> intoPlane(const Vec3<Work>& v, const Vec3<Work>& normal)
+{
+    const Vec3<Work> part = inPlane(v, normal);
+    const Work square = dot(part, part);
+    return square > 0 ? squareRoot(dot(v, v) / square) * part : part;
+}
+
 template <class Work>
 FPM_KERNEL Vec3<Work> unit(const Vec3<Work>& v)
 {
@@ -123,30 +139,33 @@ struct FaceFrame {
         e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
         e2 = cross(normal, e1);
     }
-    /// Components (x, y) of a vector of the plane with normal n.
-    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v, const Vec3<Work>& n) const
-    {
-        const Vec3<Work> mine = turnedPlane(v, n, normal);
-        return {dot(mine, e1), dot(mine, e2), Work(0)};
-    }
-    /// Vector of the plane with normal n that has these components.
-    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
-    {
-        return turnedPlane(components.x * e1 + components.y * e2, normal, n);
-    }
 };
 
-/// Displacement of the projection point over the material of a face, from (xiOld, etaOld) to (xi,
-/// eta) on the face in its current position: exact for a bilinear face, and zero for any rigid
-/// motion of both bodies.
+/// Orthonormal frame convected with the material point (xi, eta) of a face: by the mean turn of
+/// both tangents, so the numbering of the corners does not matter.
 template <class Work>
-FPM_KERNEL Vec3<Work>
-slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
+struct PointFrame {
+    Vec3<Work> e1, e2, normal;
+
+    FPM_KERNEL PointFrame(const FaceCorners<Work>& face, Work xi, Work eta)
+    {
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(face, xi, eta, offset, t1, t2);
+        normal = faceNormal(face, t1, t2);
+        e1 = unit(unit(t1) + unit(t2));
+        e2 = cross(normal, e1);
+    }
+};
+/// Components of a vector in an orthonormal frame (FaceFrame, PointFrame), and back.
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> componentsIn(const Frame& frame, const Vec3<Work>& v)
 {
-    Vec3<Work> offset, t1, t2;
-    const Work half = Work(0.5);
-    evaluateFace(face, half * (xi + xiOld), half * (eta + etaOld), offset, t1, t2);
-    return (xi - xiOld) * t1 + (eta - etaOld) * t2;
+    return {dot(v, frame.e1), dot(v, frame.e2), dot(v, frame.normal)};
+}
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> vectorIn(const Frame& frame, const Vec3<Work>& c)
+{
+    return c.x * frame.e1 + c.y * frame.e2 + c.z * frame.normal;
 }
 
 /// Corner forces without resultant that have the moment of a couple, conjugate to the spin of the

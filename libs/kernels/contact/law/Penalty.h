@@ -17,8 +17,8 @@ struct PassLaw {
         mirrors; ///< symmetry planes on which it lies, one bit each; each halves k_n; null: none
     FrictionLaw<Work> friction;
     SlipDamping<Work> slipDamping;
-    Work* tangentialForce;     ///< two components in a face's frame, or a vector
-    Index* frictionFace;       ///< face of that frame; null: a vector in fixed axes
+    Work* tangentialForce;     ///< in a face's frame, or in fixed axes
+    Index* frictionFace;       ///< face of that frame; null: fixed axes
     double* springEnergy;      ///< recoverable, of normal and tangential spring
     TouchMemory<Work> touch;   ///< of the normal spring
     double* dissipated;        ///< by friction, running sum
@@ -81,14 +81,13 @@ struct PassLaw {
 
     FPM_KERNEL Vec3<Work> storedForce(Index i) const
     {
-        return {tangentialForce[i], tangentialForce[count + i],
-                frictionFace ? Work(0) : tangentialForce[2 * count + i]};
+        return {tangentialForce[i], tangentialForce[count + i], tangentialForce[2 * count + i]};
     }
     FPM_KERNEL void store(Index i, const Vec3<Work>& force) const
     {
         tangentialForce[i] = force.x;
         tangentialForce[count + i] = force.y;
-        if (!frictionFace) tangentialForce[2 * count + i] = force.z;
+        tangentialForce[2 * count + i] = force.z;
     }
     /// Return mapping of friction from the traction `from`; stores the new traction.
     FPM_KERNEL Vec3<Work> slide(Index i,

@@ -57,6 +57,17 @@ struct TouchMemory {
         if (isKept() && gap[i] < 0) gap[i] = extra[i] = 0;
     }
 
+    /// Another slot goes on with the same touch.
+    FPM_KERNEL void handOver(Index from, Index to) const
+    {
+        if (!isKept()) return;
+        gap[to] = gap[from];
+        extra[to] = extra[from];
+        surplus[to] += surplus[from];
+        gap[from] = extra[from] = 0;
+        surplus[from] = 0;
+    }
+
 private:
     /// Force that takes -`owed` over a step of length `way` before and one after it.
     FPM_KERNEL static double returning(double owed, double elastic, double way)
