@@ -32,7 +32,7 @@ constexpr std::array<Loss, 4> losses{
      {&PairForce::late, "lists of faces that were outrun",
       "contactors may have been missed: set searchInterval 1 or a smaller timeStep.maximum"},
      {&PairForce::crowded,
-      "searches with more than three bodies in reach of a node, or six edges of an edge",
+      "searches with more than three bodies in reach of a node, or eight edges of an edge",
       "it was held by the nearest: join bodies in the mesh, or stagger them so that no more "
       "than three meet; smaller elements along an edge that lies across many others"}}};
 

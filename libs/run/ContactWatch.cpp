@@ -28,7 +28,7 @@ void reportContact(Solver& solver, const Model& model, Log& log)
         if (force.crowded > 0)
             log.warning(
                 format("pair {}: {} times a node had more than three bodies in reach, or an "
-                       "edge more than six edges; it was held by the nearest",
+                       "edge more than eight edges; it was held by the nearest",
                        name, force.crowded));
         if (force.late > 0)
             log.warning(format("pair {}: {} times blocks of contactors moved further than the skin "

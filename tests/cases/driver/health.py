@@ -249,7 +249,6 @@ def friction(binaries, marks):
 
 def dragged(binaries, friction, fine=1, onMesh=False):
     """A steel block under 1000 N, led by one end at 0.2 m/s over a rigid plane or a steel plate."""
-    target = "t.zMax" if onMesh else "f; enforcement penalty"
     plate = box("t", (-5, -5, -5), (35, 20, 5), (13, 7, 2)) if onMesh else ""
     return Scene(binaries, bodies=box("a", (0, 0, 0), (20, 10, 10), (8 * fine, 4 * fine, 4 * fine))
                  + plate, parts=steel("a", "t") if onMesh else steel("a"), end=2.5e-3 / fine,
@@ -257,7 +256,8 @@ def dragged(binaries, friction, fine=1, onMesh=False):
                  " area; amplitude smooth ((0 0) (3e-4 1)); } drag { type velocity; set a.xMin; "
                  "value (200 0 0); components (x); amplitude smooth ((0 0) (5e-4 0) (8e-4 1)); }"
                  + ("h { type fixed; set t.zMin; }" if onMesh else ""),
-                 pairs=f"p {{ contactor a.zMin; target {target}; {friction} }}",
+                 pairs=f"p {{ contactor a.zMin; target {'t.zMax' if onMesh else 'f'}; "
+                       f"{'' if onMesh else 'enforcement penalty; '}{friction} }}",
                  surfaces="" if onMesh else "f { type plane; point (0 0 0); normal (0 0 1); }")
 
 

@@ -40,7 +40,9 @@ TEST(SlipDamping, LeavesSteadyAndBrakingSlipToCoulomb)
     double v = 20;
     for (int n = 0; n < 3000; ++n) {
         const double force = slider.at(v);
-        if (n > 10) ASSERT_DOUBLE_EQ(force, -3) << n;
+        if (n > 10) {
+            ASSERT_DOUBLE_EQ(force, -3) << n;
+        }
         v *= 1 - 2e-4; // within `steady` of the mean of so short a time
     }
 }

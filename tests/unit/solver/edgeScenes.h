@@ -53,10 +53,14 @@ inline Model crossedRoofs(std::array<Index, 2> cells, double length, double gap,
     return model;
 }
 
-/// Roofs that strike and slide over each other's joints with friction.
+/// Roofs that strike and slide with friction, over the joints of both at 15/7 mm from the middle.
 inline Model slidingRoofs()
 {
-    Model model = crossedRoofs({7, 2}, 30, 0.01, {8e3, 6e3, -2e4});
+    Model model = crossedRoofs({7, 2}, 30, 0.01, {8e4, 6e4, -2e4});
+    for (const Index node : nodesOfPart(model.mesh, "high")) {
+        model.mesh.points[std::size_t(node)][0] += 2.05;
+        model.mesh.points[std::size_t(node)][1] += 1.98;
+    }
     holdFixed(model, nodesWhere(model.mesh, [](Point p) { return p[2] < -13; }));
     model.contactPairs[0].friction = 0.2;
     return model;

@@ -7,7 +7,7 @@ namespace fpm {
 
 /// Partners that one segment may have at once: it crosses both edges of a wire, and where two
 /// segments meet, the next ones are near.
-inline constexpr int edgeSlots = 6;
+inline constexpr int edgeSlots = 8;
 
 /// What the pair of a slot was at the last step.
 enum EdgeState : std::uint8_t {

@@ -108,13 +108,16 @@ private:
     {
         if (number <= own || !edges.pass.mayTouch(own, number)) return;
         const EdgeSegment<Work> b = edges.segment(number, origin);
-        const Work margin = edges.pass.margin(number) > edges.pass.margin(own)
-                                ? edges.pass.margin(number)
-                                : edges.pass.margin(own);
-        const Work square = distanceSquare(a, b);
+        const EdgeCrossing<Work> at(a, b);
         // Almost parallel ones and wedges that turn away may not close before the next search.
-        if (square <= margin * margin && EdgeCrossing<Work>(a, b).mayHold())
-            found.add(number, square);
+        if (!at.mayHold()) return;
+        const Work reach = edges.pass.reach, square = distanceSquare(a, b);
+        Work most = reach;
+        if (at.gap < 0) { // as ContactPassView::margin
+            const Work deep = edges.deepest(own, number) + Work(0.5) * reach;
+            most = deep > reach ? deep : reach;
+        }
+        if (square <= most * most) found.add(number, square);
     }
     FPM_KERNEL void enter(Index own, const NearestEdges<Work>& found) const
     {

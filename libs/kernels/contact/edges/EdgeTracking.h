@@ -59,7 +59,8 @@ struct PassEdgesOn {
 };
 
 /// Whether nodes of a pair are held by faces of the other body, so that the edges would count
-/// twice: an end of either segment lies over a face and is at least half as deep as the crossing.
+/// twice: an end of either segment lies over a face, flat against the normal of the crossing (25
+/// degrees), and is at least half as deep.
 /// `faces`: the passes of nodes against faces of the same pair, in which `contactor` are the ends.
 template <class Numbers>
 struct NodesAtEdges {
@@ -80,18 +81,20 @@ struct NodesAtEdges {
                 const Index segment = end < 2 ? pair.first : pair.second,
                             other = end < 2 ? pair.second : pair.first,
                             base = side[k].contactor[2 * segment + (end & 1)];
-                if (base >= 0 && isBelow(edges, side[k].faces, base, other, level)) return true;
+                const Vec3<Work> out = end < 2 ? -pair.at.normal : pair.at.normal;
+                if (base >= 0 && isHeld(edges, side[k].faces, base, other, level, out)) return true;
             }
         }
         return false;
     }
 
 private:
-    FPM_KERNEL static bool isBelow(const EdgePassView<Numbers>& edges,
-                                   const ContactPassView<Numbers>& faces,
-                                   Index base,
-                                   Index other,
-                                   Work level)
+    FPM_KERNEL static bool isHeld(const EdgePassView<Numbers>& edges,
+                                  const ContactPassView<Numbers>& faces,
+                                  Index base,
+                                  Index other,
+                                  Work level,
+                                  const Vec3<Work>& out)
     {
         for (Index i = base; i < faces.contactorCount; i += faces.nodeCount) {
             const Index face = faces.face[i];
@@ -102,7 +105,8 @@ private:
                 gapAt(faces.corners(face, faces.contactor[i]), faces.xi[i], faces.eta[i]);
             const Work aside = dot(at.offset, at.offset) - at.gap * at.gap,
                        most = Work(1e-3) * faces.reach;
-            if (at.gap <= level && aside < most * most) return true;
+            if (at.gap <= level && aside < most * most && dot(at.normal, out) > Work(0.9))
+                return true;
         }
         return false;
     }
