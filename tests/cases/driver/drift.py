@@ -37,8 +37,8 @@ def scene(binaries, steps, boxed, control=""):
         initial=f"v {{ type velocity; part body; value {text(SPEED if boxed else (0.0, 0.0, 0.0))}; }}\n"
                 f"w {{ type rotation; part body; axis {text(SPIN)}; centre (0 0 0); "
                 f"angularVelocity {math.sqrt(sum(w * w for w in SPIN))!r}; }}",
-        pairs="".join(f"{name} {{ contactor body; target {name}; }}\n" for name in WALLS)
-        if boxed else "",
+        pairs="".join(f"{name} {{ contactor body; target {name}; enforcement penalty; }}\n"
+                      for name in WALLS) if boxed else "",
         surfaces="".join(f"{name} {{ type plane; point {text(point)}; normal {text(normal)}; }}\n"
                          for name, (point, normal) in WALLS.items()),
         functions="motion { type part; part body; }")

@@ -25,10 +25,10 @@ RigidSurface surfaceOf(const std::string& text)
     return surface;
 }
 
-ContactLaw lawOf(const std::string& text)
+ContactLaw lawOf(const std::string& text, bool analytic = false)
 {
     const Dictionary entry = Dictionary::parse("pair { " + text + " }").sub("pair");
-    ContactLaw law = readContactLaw(entry);
+    ContactLaw law = readContactLaw(entry, analytic);
     entry.requireAllUsed();
     return law;
 }
@@ -55,6 +55,20 @@ TEST(ContactLawReader, TakesOneCoefficientOrTheWholeLaw)
     EXPECT_EQ(law.normalDamping, 0.1);
     EXPECT_TRUE(contains(refusal([] { lawOf("normalDamping 1.5;"); }), "normalDamping"));
     EXPECT_TRUE(contains(refusal([] { lawOf("friction { dynamic 0.1; decay 1; }"); }), "static"));
+}
+
+TEST(ContactLawReader, AnalyticSurfacesAreMetExactlyUnlessSpringsAreAskedFor)
+{
+    const std::string springs = "enforcement penalty; normalScale 2; normalDamping 0.1; "
+                                "friction { static 0.3; form paper; }";
+    EXPECT_EQ(lawOf("friction 0.3;", true).enforcement, Enforcement::kinematic);
+    EXPECT_EQ(lawOf("enforcement kinematic;", true).enforcement, Enforcement::kinematic);
+    EXPECT_EQ(lawOf(springs, true).enforcement, Enforcement::penalty);
+    EXPECT_EQ(lawOf("friction 0.3;").enforcement, Enforcement::penalty);
+    for (const char* key : {"normalScale 1;", "tangentialScale 1;", "penalty series;",
+                            "normalDamping 0.1;", "friction { static 0.3; form paper; }"})
+        EXPECT_TRUE(contains(refusal([&] { lawOf(key, true); }), "met exactly")) << key;
+    EXPECT_TRUE(contains(refusal([] { lawOf("enforcement kinematic;"); }), "a plane, cylinder"));
 }
 
 TEST(RigidSurfaceReader, TakesPlaneCylinderAndSphere)

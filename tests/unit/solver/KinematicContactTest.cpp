@@ -29,7 +29,10 @@ Model block(Point velocity, Point origin = {0, 0, 1e-3})
     Model model;
     addBox(model.mesh, "block", {3, 3, 4}, origin, {3, 3, 4});
     renumber(model.mesh, 16);
-    model.parts = {aluminium(PartKind::elastic, HourglassForm::physical, "block")};
+    Part part = aluminium(PartKind::elastic, HourglassForm::physical, "block");
+    // Its force lags half a step, which an impact would see in the balance.
+    part.linearBulkViscosity = part.quadraticBulkViscosity = 0;
+    model.parts = {part};
     throwPart(model, "block", velocity);
     model.control.backend = "serial";
     model.control.endTime = 1;
@@ -73,7 +76,7 @@ TEST(KinematicContact, ForceIsTheChangeOfMomentumAndNothingIsEntered)
         EXPECT_LT(distance(momentum(*solver), expected), 1e-13 * size);
         EXPECT_LT(deepest(*solver, {0, 0, 1}), 1e-13);
         EXPECT_EQ(solver->clock().contactFrequency, 0);
-        EXPECT_EQ(solver->clock().stableStep, solver->clock().elementStep);
+        EXPECT_NEAR(solver->clock().stableStep, solver->clock().elementStep, 1e-20);
     }
     EXPECT_EQ(touched, 16);
     EXPECT_GT(momentum(*solver)[2], 0.5 * 2.7e-9 * 36 * 1e4); // it has come back
@@ -86,6 +89,7 @@ TEST(KinematicContact, ForceIsTheChangeOfMomentumAndNothingIsEntered)
 TEST(KinematicContact, SlidingForceIsTheCoefficientTimesThePressure)
 {
     Model model = block({5e4, 0, 0}, {0, 0, 0});
+    model.parts[0].poissonsRatio = 0; // all nodes slide along x
     press(model, facing(model.mesh, "block", {0, 0, -1}), plane("floor", {0, 0, 0}, {0, 0, 1}))
         .friction = 0.3;
     model.boundaryConditions.push_back(condition(BoundaryCondition::Kind::force, "weight",
@@ -197,7 +201,7 @@ TEST(KinematicContact, AcceleratingPlanePushesWithMassTimesAcceleration)
     EXPECT_NEAR(momentum(*solver)[2], mass * 0.9e4, 0.02 * mass * 0.9e4);
     const Energies e = solver->ledger().energies();
     EXPECT_NEAR(e.external, 0.5 * mass * 0.81e8, 0.02 * 0.5 * mass * 0.81e8);
-    EXPECT_LT(std::abs(e.balance), 1e-9);
+    EXPECT_LT(std::abs(e.balance), 1e-8);
 }
 
 /// What the surfaces do is booked with the nodes and with the pairs, independently of each other.
