@@ -53,13 +53,13 @@ Enforcement readEnforcement(const Dictionary& pair, bool analytic)
                       instead);
     if (!pair.isDictionary("friction")) return Enforcement::kinematic;
     for (const char* key : {"form", "damping"})
-        if (pair.sub("friction").has(key))
-            pair.sub("friction")
-                .fail(key,
-                      format("'{}' is for the elastic slip of springs, and an "
-                             "analytic surface is met exactly, without springs",
-                             key),
-                      instead);
+        if (const Dictionary friction = pair.sub("friction"); friction.has(key))
+            friction.fail(
+                key,
+                format("'{}' is for the elastic slip of springs, and an analytic surface is met "
+                       "exactly, without springs",
+                       key),
+                instead);
     return Enforcement::kinematic;
 }
 
@@ -118,7 +118,8 @@ ContactLaw readContactLaw(const Dictionary& pair, bool analytic)
     const std::string word = pair.choiceOr("penalty", entryOf(law.penalty).word, words);
     law.penalty = PenaltyRule(int(std::find(words.begin(), words.end(), word) - words.begin()));
     // Steady sliding needs a little of it (doc/defaults.md).
-    const bool slides = law.friction > 0 && !law.paperFriction;
+    const bool slides =
+        law.friction > 0 && !law.paperFriction && law.enforcement == Enforcement::penalty;
     law.normalDamping = pair.numberOr("normalDamping", slides ? 0.05 : 0.0, between(0, 1));
     return law;
 }

@@ -120,12 +120,16 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
 {
     const Sliding& sliding = pairs_[pair].sliding;
     if (!sliding.isJudged()) return;
-    rows.push_back({"friction while sliding / friction of Coulomb", sliding.ratio(),
-                    HealthLimits::friction, "pair " + model_.contactPairs[pair].name,
-                    sliding.worstTime(), sliding.ratio() < HealthLimits::friction,
-                    "body and contact chatter, so that contactors stick by turns: damping of the "
-                    "friction (friction { static ...; damping 0.5; }), normalDamping and "
-                    "bulkViscosity calm them"});
+    rows.push_back(
+        {"friction while sliding / friction of Coulomb", sliding.ratio(), HealthLimits::friction,
+         "pair " + model_.contactPairs[pair].name, sliding.worstTime(),
+         sliding.ratio() < HealthLimits::friction,
+         !model_.contactPairs[pair].hasSprings()
+             ? "the body chatters, so that contactors stick by turns: springs with their "
+               "damping ('enforcement penalty;') calm it"
+             : "body and contact chatter, so that contactors stick by turns: damping of "
+               "the friction (friction { static ...; damping 0.5; }), normalDamping and "
+               "bulkViscosity calm them"});
 }
 
 void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const

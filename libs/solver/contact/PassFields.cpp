@@ -19,7 +19,8 @@ bool hasFriction(const ContactPassSetup& pass)
 
 bool hasSlipDamping(const ContactPassSetup& pass)
 {
-    return hasFriction(pass) && !pass.law.paperFriction && pass.law.slipDamping > 0;
+    return hasFriction(pass) && !pass.kinematic && !pass.law.paperFriction
+           && pass.law.slipDamping > 0;
 }
 
 bool hasConvectedFriction(const ContactPassSetup& pass)
@@ -79,7 +80,7 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     xi.resize(count);
     eta.resize(count);
     tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
-    slipRate.resize(hasSlipDamping(setUp) && !kinematic ? count : 0);
+    slipRate.resize(hasSlipDamping(setUp) ? count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);

@@ -22,7 +22,7 @@ def text(vector):
 
 
 STEP = 5e-6  # free [s]
-HALF = "timeStep { safety 0.45; contactLimit 0.25; }"  # of the default
+HALF = "timeStep { safety 0.45; contactLimit 0.4; }"  # of the default
 
 TENTH = "timeStep { safety 0.2; contactLimit 0.1; }"
 ON = "energyBalance { warning 1e3; stop 1e3; }"  # whatever becomes of the energy

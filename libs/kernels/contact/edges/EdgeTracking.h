@@ -164,6 +164,7 @@ private:
         pass.overlap[i] = pass.overlap[from];
         pass.law.springEnergy[i] = pass.law.springEnergy[from];
         pass.law.touch.handOver(from, i);
+        pass.law.slipDamping.handOver(from, i);
         if (pass.heldStiffness) pass.heldStiffness[i] = pass.heldStiffness[from];
         if (pass.injected)
             pass.injected[pass.contactorCount + i] = pass.injected[pass.contactorCount + from];

@@ -44,6 +44,13 @@ struct SlipDamping {
     {
         if (acts()) mean[i] = 0;
     }
+    /// Another slot goes on with the same slip.
+    FPM_KERNEL void handOver(Index from, Index to) const
+    {
+        if (!acts()) return;
+        mean[to] = mean[from];
+        mean[from] = 0;
+    }
     /// Force beside mu N; the mean follows.
     FPM_KERNEL Work resistance(Index i, Work slip, Work stiffness, Work mass, double step) const
     {
