@@ -32,6 +32,12 @@ public:
     template <class T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void operator()(T& value) { move(&value, sizeof value); }
+    void operator()(bool& value)
+    {
+        std::uint8_t byte = value;
+        (*this)(byte);
+        value = byte != 0; // a bool of any other byte is none
+    }
     template <class T, std::size_t count>
     void operator()(std::array<T, count>& values)
     {
@@ -39,24 +45,27 @@ public:
     }
     void operator()(std::string& text)
     {
-        text.resize(length(text.size(), 1));
+        text.resize(length(text.size()));
         if (!text.empty()) move(text.data(), text.size());
     }
     /// Values of any type with a function for it: each(archive, value).
     template <class T, class Each>
     void list(std::vector<T>& values, const Each& each)
     {
-        values.resize(length(values.size(), 1));
-        for (T& value : values) each(*this, value);
+        const std::size_t count = length(values.size());
+        // One by one: a count that the bytes cannot fill costs no more memory than they fill.
+        if (reads_) values.clear();
+        for (std::size_t i = 0; i < count; ++i)
+            each(*this, reads_ ? values.emplace_back() : values[i]);
     }
 
 private:
-    /// Of what follows, each of `least` bytes at least.
-    std::size_t length(std::size_t own, std::size_t least)
+    /// Of what follows, each of a byte at least.
+    std::size_t length(std::size_t own)
     {
         std::uint64_t count = own;
         (*this)(count);
-        if (reads_ && count > (bytes_.size() - place_) / least) fail();
+        if (reads_ && count > bytes_.size() - place_) fail();
         return std::size_t(count);
     }
     void move(void* value, std::size_t size)

@@ -110,7 +110,7 @@ OutputFolder::OutputFolder(const fs::path& folder, FullDiskPolicy policy)
 {
     Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!opened.isOpen()) throw FileError("open the folder", folder, errno);
-    shared_ = std::make_shared<const Shared>(folder, std::move(opened), std::move(policy));
+    shared_ = std::make_shared<const Shared>(Shared{folder, std::move(opened), std::move(policy)});
 }
 
 OutputFolder OutputFolder::make(const fs::path& folder)
@@ -260,7 +260,7 @@ OutputFolder OutputFolder::inner(std::string_view folder) const
     Descriptor opened;
     fullDisk().attempt(path(folder), [&] { opened = walk(checked(folder), Missing::create); });
     return OutputFolder(
-        std::make_shared<const Shared>(path(folder), std::move(opened), fullDisk()));
+        std::make_shared<const Shared>(Shared{path(folder), std::move(opened), fullDisk()}));
 }
 
 void OutputFolder::synchroniseNames(std::string_view folder) const

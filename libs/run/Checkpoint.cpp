@@ -7,7 +7,7 @@
 #include "io/Hdf5File.h"
 
 #include <array>
-#include <charconv>
+#include <cmath>
 
 namespace fpm {
 
@@ -107,6 +107,11 @@ Checkpoint read(const std::filesystem::path& file)
     out.wallSeconds = reader.number("/fpm", "wallSeconds");
     out.cpuSeconds = reader.number("/fpm", "cpuSeconds");
     out.settled = integer(reader, "settled") != 0;
+    // By the label it was chosen, and no other text than a label's word is an id.
+    const auto label = checkpointLabel(file);
+    if (!label || label->runId != out.runId || label->time != out.time || label->steps != out.steps
+        || !std::isfinite(out.wallSeconds))
+        throw Error(ExitCode::checkpoint, "it is not the one that its label names");
     out.inputs.mesh = reader.text("/fpm", "mesh");
     for (const std::string& name : reader.children("/inputs")) {
         const std::string path = "/inputs/" + name;
@@ -148,6 +153,15 @@ void writeCheckpoint(const OutputFolder& theCase,
     writeState(image, checkpoint.state);
     writeBytes(image, "/record", checkpoint.record);
     image.save(theCase, file, checkpoint.text());
+}
+
+void requireMoment(const Checkpoint& checkpoint, double time, std::int64_t steps)
+{
+    if (checkpoint.time != time || checkpoint.steps != steps)
+        throw Error(ExitCode::checkpoint,
+                    format("the checkpoint says time {}, step {}, and its state is of time {}, "
+                           "step {}",
+                           toText(checkpoint.time), checkpoint.steps, toText(time), steps));
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file)

@@ -27,5 +27,8 @@ void writeCheckpoint(const OutputFolder& theCase,
 /// Compares the checksum of the file and of every array. Throws Error(checkpoint) for a file that
 /// is damaged, none of ours, or of another version, which it names.
 Checkpoint readCheckpoint(const std::filesystem::path& file);
+/// Throws Error(checkpoint) where the state that was restored is of another moment than its
+/// checkpoint says.
+void requireMoment(const Checkpoint& checkpoint, double time, std::int64_t steps);
 
 } // namespace fpm

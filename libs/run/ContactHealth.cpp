@@ -76,7 +76,8 @@ void ContactHealth::keep(Archive& archive)
         // Of the status at that depth no more than this is reported.
         archive(pair.deepest.deepest);
         archive(pair.deepest.thickness);
-        if (pair.deepest.deepest < -1 || pair.deepest.deepest >= Index(model_.mesh.points.size()))
+        const Index none = pair.depth.value > 0 ? -1 : -2, node = pair.deepest.deepest;
+        if (node <= none || node >= Index(model_.mesh.points.size()))
             throw Error(ExitCode::checkpoint, "the record of the run names no node of the mesh");
         pair.sliding.keep(archive);
         archive(pair.since);

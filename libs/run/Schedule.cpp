@@ -14,7 +14,8 @@ namespace {
 double multipleAfter(double time, double interval, double beyond)
 {
     double number = std::floor(time / interval);
-    while (number * interval <= time + beyond) ++number;
+    // No next multiple where the numbers are too large to count on.
+    while (number * interval <= time + beyond && number + 1 > number) ++number;
     return number * interval;
 }
 

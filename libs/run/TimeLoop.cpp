@@ -155,6 +155,7 @@ private:
     void goOn()
     {
         clock_ = solver_.clock();
+        requireMoment(*options_.from, clock_.time, clock_.steps);
         keep(stored_);
         frames_.resume();
         schedule_.startAt(clock_, wall());

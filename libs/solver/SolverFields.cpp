@@ -3,7 +3,26 @@
 #include "base/Error.h"
 #include "base/Format.h"
 
+#include <cmath>
+
 namespace fpm {
+
+namespace {
+
+/// Throws Error(checkpoint) where a restored clock is none that a run can have.
+void requireSound(const StepClock& now)
+{
+    constexpr std::int64_t most = std::int64_t(1) << 62; // differences of two are numbers too
+    const auto isSpan = [](double value) { return std::isfinite(value) && value >= 0; };
+    const auto isCount = [](std::int64_t value) { return value >= 0 && value <= most; };
+    if (!isSpan(now.time) || !isSpan(now.step) || !isSpan(now.mean) || !std::isfinite(now.lost))
+        throw Error(ExitCode::checkpoint, "clock: its time or its step is none");
+    if (!isCount(now.steps) || !isCount(now.deletions) || !isCount(now.listsValidUntil)
+        || (now.followed != -1 && !isCount(now.followed)))
+        throw Error(ExitCode::checkpoint, "clock: a number of steps is none");
+}
+
+} // namespace
 
 SolverFields::SolverFields(const SolverSetUp& setUp,
                            const std::vector<Point>& points,
@@ -56,6 +75,7 @@ void SolverFields::restore(const std::vector<FieldSet::Images>& state)
         throw Error(ExitCode::checkpoint,
                     format("{} sets of fields, and the model has {}", state.size(), now.size()));
     for (std::size_t set = 0; set < now.size(); ++set) now[set]->setImages(Role::state, state[set]);
+    requireSound(clock.clock.toHost()[0]);
     for (const auto& pass : contact.passes) pass->requireNumbers();
 }
 

@@ -1,5 +1,6 @@
 #include "solver/contact/ContactLists.h"
 
+#include "base/Error.h"
 #include "kernels/contact/broad/Search.h"
 
 #include <algorithm>
@@ -165,6 +166,12 @@ void ContactLists::renewFields()
 
 void ContactLists::restored()
 {
+    constexpr std::int64_t most = std::int64_t(1) << 53; // of searches: their sum is a number
+    for (const PassListState& list : fields_.lists.toHost())
+        if (list.searches < 0 || list.searches > most)
+            throw Error(ExitCode::checkpoint, "contact lists: a number of searches is none");
+    if (ledger_.searches() < 0 || ledger_.searches() > most || ledger_.nextSearch() < 0)
+        throw Error(ExitCode::checkpoint, "ledger: a number of searches is none");
     for (std::size_t place = 0; place < fields_.passLists.size(); ++place) {
         const ListFields& of = *fields_.passLists[place];
         near_.restore(place, of.nearStart.toHost(), of.near.toHost());

@@ -7,6 +7,53 @@
 
 namespace fpm {
 
+namespace {
+
+[[noreturn]] void refuse(const PassFields& pass, const FieldBase& field, Index number)
+{
+    throw Error(ExitCode::checkpoint,
+                format("{}: {} in field {} leads nowhere", pass.name(), number, field.info().name));
+}
+
+void requireFaces(const PassFields& pass)
+{
+    const Index faces = Index(pass.faceThickness.size());
+    for (const Field<Index>* field : {&pass.face, &pass.frictionFace})
+        for (const Index number : field->toHost())
+            if (number < releasedFace || number >= faces) refuse(pass, *field, number);
+    if (pass.frictionFace.size() == 0) return;
+    // A stored force has a face in whose frame it is kept.
+    const std::vector<Index> frames = pass.frictionFace.toHost();
+    const std::vector<double> held = pass.tangentialForce.toDoubles(); // three planes
+    for (std::size_t k = 0; k < held.size(); ++k)
+        if (frames[k % frames.size()] < 0 && held[k] != 0)
+            refuse(pass, pass.frictionFace, frames[k % frames.size()]);
+}
+
+/// Every entry stands in one list at most, and once: so each list ends.
+void requireCells(const PassFields& pass)
+{
+    const Index count = Index(pass.entries.size());
+    const std::vector<CellEntry> all = pass.entries.toHost();
+    const std::vector<Index> heads = pass.head.toHost();
+    for (const Index first : heads)
+        if (first < -1 || first >= count) refuse(pass, pass.head, first);
+    for (const CellEntry& entry : all)
+        if (entry.next < -1 || entry.next >= count) refuse(pass, pass.entries, entry.next);
+    std::vector<bool> seen(all.size());
+    const auto follow = [&](Index first) {
+        for (Index at = first; at >= 0; at = all[std::size_t(at)].next) {
+            if (seen[std::size_t(at)]) refuse(pass, pass.entries, at);
+            seen[std::size_t(at)] = true;
+        }
+    };
+    // Those of levels, but for the last, mark that the level has entries.
+    for (std::size_t list = 0; list <= pass.cellMask; ++list) follow(heads[list]);
+    follow(heads.back());
+}
+
+} // namespace
+
 bool hasDamping(const ContactPassSetup& pass)
 {
     return pass.law.normalDamping > 0 && !pass.kinematic;
@@ -102,18 +149,8 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
 
 void PassFields::requireNumbers() const
 {
-    const auto require = [this](const FieldInfo& info, Index number, std::size_t count) {
-        if (number < Index(count)) return; // negative ones are marks, such as noFace
-        throw Error(ExitCode::checkpoint, format("{}: {} of field {} is beyond the {} there are",
-                                                 name(), number, info.name, count));
-    };
-    const std::size_t faces = faceThickness.size();
-    for (const Field<Index>* field : {&face, &frictionFace})
-        for (const Index number : field->toHost()) require(field->info(), number, faces);
-    if (entries.size() == 0) return; // nothing is searched: heads are not filled
-    for (const Index number : head.toHost()) require(head.info(), number, entries.size());
-    for (const CellEntry& entry : entries.toHost())
-        require(entries.info(), entry.next, entries.size());
+    requireFaces(*this);
+    if (entries.size() > 0) requireCells(*this); // else nothing is searched: heads are not filled
 }
 
 void PassFields::allocateCells(const ContactPassSetup& setUp)
@@ -125,7 +162,8 @@ void PassFields::allocateCells(const ContactPassSetup& setUp)
     std::uint32_t size = 16;
     while (size < lists) size *= 2;
     cellMask = size - 1;
-    head.resize(std::size_t(size) + std::size_t(setUp.levels) + 1);
+    // Empty until the first search; of a pass that has lost its contactors there is none.
+    head.assign(std::vector<Index>(std::size_t(size) + std::size_t(setUp.levels) + 1, -1));
 }
 
 } // namespace fpm

@@ -1,4 +1,4 @@
-"""Data races of the threads that share a step: scenes of driver/bits.py on three threads, by the programs
+"""Data races of the threads that share a step: scenes of driver/bits.py on two and three threads, by the programs
 of preset tsan (cmake --preset tsan && cmake --build --preset tsan; check.py races build-tsan/bin).
 
 The sanitizer knows the barriers of OpenMP through Archer, a part of libomp. A small program with a race,
@@ -11,7 +11,10 @@ import tempfile
 
 from driver.bits import SCENES
 
-FEW = ("plastic", "struck.selective", "bodies", "towers", "general", "self", "eroding.general")
+# Scenes of every kind on three threads, and tutorials on two.
+FEW = {**dict.fromkeys(("plastic", "struck.selective", "bodies", "towers", "general", "self",
+                        "eroding.general"), 3),
+       **dict.fromkeys(("slidingBlock", "plateImpact", "squeezedTube", "ringCrush"), 2)}
 STEPS = 60
 REPORT = "WARNING: ThreadSanitizer"
 REVERSED = """
@@ -68,11 +71,11 @@ def check(binaries, marks):
         return "these programs are not of preset tsan"
     marks.true("a planted race is seen", reports(PLANTED_RACE, tool) > 0)
     marks.true("a barrier is none", reports(BARRIER, tool) == 0)
-    for name in FEW:
+    for name, threads in FEW.items():
         with SCENES[name][0](binaries) as case:
             case.mesh()
             done = case.start(
-                "fpmExplicit", "-backend", "openmp", "-threads", "3", "-maxSteps", str(STEPS),
+                "fpmExplicit", "-backend", "openmp", "-threads", str(threads), "-maxSteps", str(STEPS),
                 **settings(tool))
             races = done.stdout.count(REPORT)
             marks.true(f"{name}: no race", done.returncode == 0 and races == 0)

@@ -75,5 +75,32 @@ TEST(Archive, AsksForNoMemoryThatItsBytesCannotFill)
     EXPECT_THROW(again.list(values, [](Archive& each, double& value) { each(value); }), Error);
 }
 
+/// A list of many small entries that are large in memory: as many are made as the bytes fill.
+TEST(Archive, MakesNoMoreEntriesThanItsBytesFill)
+{
+    Archive out;
+    std::uint64_t claimed = 1000;
+    out(claimed);
+    std::vector<std::byte> bytes = out.bytes();
+    bytes.resize(bytes.size() + 1000);
+    std::vector<std::array<double, 50>> values;
+    Archive back(bytes);
+    EXPECT_THROW(
+        back.list(values, [](Archive& each, std::array<double, 50>& value) { each(value); }),
+        Error);
+    EXPECT_LE(values.size(), 3u);
+}
+
+/// A byte that is no bool would be one that is neither true nor false.
+TEST(Archive, ReadsATruthFromAnyByte)
+{
+    for (const int byte : {0, 1, 2, 255}) {
+        Archive archive(std::vector{std::byte(byte)});
+        bool value = byte == 0;
+        archive(value);
+        EXPECT_EQ(int(value), byte == 0 ? 0 : 1);
+    }
+}
+
 } // namespace
 } // namespace fpm

@@ -131,5 +131,18 @@ TEST(Schedule, TheClockOnTheWallChangesNoStep)
     EXPECT_TRUE(schedule.checkpointIsDue(at(0.1, 3), 605));
 }
 
+/// Times beyond all intervals: a forged checkpoint may hold one.
+TEST(Schedule, ComesToAnEndWhateverTheTime)
+{
+    Control control = everyTenth();
+    for (const double interval : {0.1, 1e-300}) {
+        control.historyInterval = control.writeInterval = interval;
+        Schedule schedule(control, -1);
+        for (const double time : {1e17, 1e300}) schedule.startAt(at(time, 1), 0);
+        EXPECT_EQ(schedule.stop(), control.endTime);
+        EXPECT_TRUE(schedule.atEnd(at(1e300, 1)));
+    }
+}
+
 } // namespace
 } // namespace fpm
