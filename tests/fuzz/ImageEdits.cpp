@@ -98,6 +98,9 @@ void writeItem(Hdf5Image& image, const Item& item)
     const auto* numbers = std::get_if<std::vector<std::int64_t>>(&item.value);
     if (item.attribute.empty() && reals)
         image.write(item.path, std::span<const double>(*reals), item.columns);
+    else if (item.attribute.empty() && numbers && item.bytes)
+        image.write(item.path, std::vector<std::uint8_t>(numbers->begin(), numbers->end()),
+                    item.columns);
     else if (item.attribute.empty() && numbers)
         image.write(item.path, std::span<const std::int64_t>(*numbers), item.columns);
     else if (text)
@@ -135,6 +138,7 @@ void ImageEdits::collect(const Hdf5Reader& reader,
         tried([&] {
             items_.push_back({below, "", reader.columns(below), reader.doubles(below)});
             items_.back().value = reader.integers(below);
+            items_.back().bytes = !reader.bytes(below).empty();
         });
         if (items_.size() == before) collect(reader, below, attributes);
     }

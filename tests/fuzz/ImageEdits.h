@@ -15,6 +15,7 @@ struct Item {
     std::string attribute; ///< empty: an array
     std::size_t columns = 1;
     std::variant<std::vector<double>, std::vector<std::int64_t>, std::string> value;
+    bool bytes = false; ///< whole numbers of an array are written as bytes
 };
 
 /// What a file holds, which can be changed and written again: so the edited file has a good
