@@ -110,7 +110,8 @@ Checkpoint read(const std::filesystem::path& file)
     // By the label it was chosen, and no other text than a label's word is an id.
     const auto label = checkpointLabel(file);
     if (!label || label->runId != out.runId || label->time != out.time || label->steps != out.steps
-        || !std::isfinite(out.wallSeconds))
+        || label->lastStep != out.lastStep || !std::isfinite(out.wallSeconds)
+        || !std::isfinite(out.cpuSeconds))
         throw Error(ExitCode::checkpoint, "it is not the one that its label names");
     out.inputs.mesh = reader.text("/fpm", "mesh");
     for (const std::string& name : reader.children("/inputs")) {

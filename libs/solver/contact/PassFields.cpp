@@ -9,25 +9,25 @@ namespace fpm {
 
 namespace {
 
-[[noreturn]] void refuse(const PassFields& pass, const FieldBase& field, Index number)
+[[noreturn]] void refuse(const FieldBase& field, Index number)
 {
     throw Error(ExitCode::checkpoint,
-                format("{}: {} in field {} leads nowhere", pass.name(), number, field.info().name));
+                format("contact pass: {} in field {} leads nowhere", number, field.info().name));
 }
 
 void requireFaces(const PassFields& pass)
 {
-    const Index faces = Index(pass.faceThickness.size());
+    const Index faces = Index(pass.faceThickness.size()); // or segments of edges
     for (const Field<Index>* field : {&pass.face, &pass.frictionFace})
         for (const Index number : field->toHost())
-            if (number < releasedFace || number >= faces) refuse(pass, *field, number);
-    if (pass.frictionFace.size() == 0) return;
-    // A stored force has a face in whose frame it is kept.
+            if (number < releasedFace || number >= faces) refuse(*field, number);
+    if (pass.frictionFace.size() == 0 || pass.edgeState.size() > 0) return;
+    // A stored force has a face in whose frame it is kept; edges have frames of their own.
     const std::vector<Index> frames = pass.frictionFace.toHost();
-    const std::vector<double> held = pass.tangentialForce.toDoubles(); // three planes
-    for (std::size_t k = 0; k < held.size(); ++k)
-        if (frames[k % frames.size()] < 0 && held[k] != 0)
-            refuse(pass, pass.frictionFace, frames[k % frames.size()]);
+    const std::vector<double> held = pass.tangentialForce.toDoubles(); // planes
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (const Index frame = frames[i % frames.size()]; frame < 0 && held[i] * held[i] > 0)
+            refuse(pass.frictionFace, frame);
 }
 
 /// Every entry stands in one list at most, and once: so each list ends.
@@ -37,13 +37,13 @@ void requireCells(const PassFields& pass)
     const std::vector<CellEntry> all = pass.entries.toHost();
     const std::vector<Index> heads = pass.head.toHost();
     for (const Index first : heads)
-        if (first < -1 || first >= count) refuse(pass, pass.head, first);
+        if (first < -1 || first >= count) refuse(pass.head, first);
     for (const CellEntry& entry : all)
-        if (entry.next < -1 || entry.next >= count) refuse(pass, pass.entries, entry.next);
+        if (entry.next < -1 || entry.next >= count) refuse(pass.entries, entry.next);
     std::vector<bool> seen(all.size());
     const auto follow = [&](Index first) {
         for (Index at = first; at >= 0; at = all[std::size_t(at)].next) {
-            if (seen[std::size_t(at)]) refuse(pass, pass.entries, at);
+            if (seen[std::size_t(at)]) refuse(pass.entries, at);
             seen[std::size_t(at)] = true;
         }
     };
@@ -150,7 +150,7 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
 void PassFields::requireNumbers() const
 {
     requireFaces(*this);
-    if (entries.size() > 0) requireCells(*this); // else nothing is searched: heads are not filled
+    requireCells(*this);
 }
 
 void PassFields::allocateCells(const ContactPassSetup& setUp)
