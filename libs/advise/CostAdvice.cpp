@@ -97,8 +97,9 @@ std::optional<Advice> contactStepAdvice(const Model& model, const Results& resul
     advice.subject = "normalScale of all pairs times 0.3";
     advice.price = "surfaces sink three times as deep: right for bending, wrong for pressures";
     for (const ContactPair& pair : model.contactPairs)
-        advice.edits.set("system/contactDict", "pairs." + pair.name + ".normalScale",
-                         toText(0.3 * pair.normalScale));
+        if (pair.hasSprings())
+            advice.edits.set("system/contactDict", "pairs." + pair.name + ".normalScale",
+                             toText(0.3 * pair.normalScale));
     return advice;
 }
 

@@ -82,6 +82,10 @@ std::string pairObstacle(const Model& model, const ContactPair& pair, const Mirr
     if (pair.kind == ContactKind::general)
         return "general contact takes the whole skin of every part, and a cut would add to it; "
                "pairs can be cut";
+    if (pair.edges)
+        return format("pair {} has contact of edges, of which those in a plane of symmetry make no "
+                      "force",
+                      pair.name);
     if (!isOwnImage(pair.contactorNodes, map) || !isOwnImage(model.mesh, pair.targetSides, map))
         return format("the surfaces of contact pair {} are not their own mirror image", pair.name);
     for (const ContactSurfaces& surfaces : model.mesh.contact) {

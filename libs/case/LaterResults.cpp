@@ -2,7 +2,6 @@
 
 #include "base/Format.h"
 #include "io/Frames.h"
-#include "io/OutputFolder.h"
 
 #include <vector>
 
@@ -10,8 +9,12 @@ namespace fpm {
 
 namespace fs = std::filesystem;
 
-void setLaterResultsAside(const fs::path& caseRoot, const std::string& runId, double time, Log& log)
+void setLaterResultsAside(const OutputFolder& theCase,
+                          const std::string& runId,
+                          double time,
+                          Log& log)
 {
+    const fs::path caseRoot = theCase.path();
     std::vector<std::string> files;
     // Names of time folders have twelve digits: one of this very time may be rounded up.
     for (const FrameFile& frame : listFrames(caseRoot))
@@ -21,11 +24,10 @@ void setLaterResultsAside(const fs::path& caseRoot, const std::string& runId, do
     for (const char* file : {"failed/fields.vtkhdf", "why.txt"})
         if (fs::is_regular_file(fs::symlink_status(caseRoot / file))) files.emplace_back(file);
     if (files.empty()) return;
-    const OutputFolder output(caseRoot);
     for (const std::string& file : files) {
-        output.rename(file, format("{}/{}", laterFolder, file));
+        theCase.rename(file, format("{}/{}", laterFolder, file));
         const std::string folder = fs::path(file).parent_path();
-        if (!folder.empty()) output.remove(folder); // unless it holds more
+        if (!folder.empty()) theCase.remove(folder); // unless it holds more
     }
     log.line(format("moved into {}/: {} frames and {} other files of after the checkpoint",
                     laterFolder, frames, files.size() - frames));

@@ -34,6 +34,9 @@ PerformanceRecord parse(const Dictionary& file)
     record.searches = countIn(file, "searches");
     record.deviceBytes = countIn(file, "deviceBytes");
     record.wallSeconds = file.numberOr("wallSeconds", 0);
+    record.parts = file.integerOr("parts", 1, 0, std::numeric_limits<std::int64_t>::max());
+    record.partSteps = countIn(file, "partSteps");
+    record.partSeconds = file.numberOr("partSeconds", 0);
     record.threads = file.numberOr("threads", 0);
     record.nsPerElementStep = numberIn(file, "nsPerElementStep");
     record.nsPerContactorStep = numberIn(file, "nsPerContactorStep");
@@ -67,6 +70,9 @@ std::string PerformanceRecord::text() const
         .integer("steps", steps)
         .integer("searches", searches)
         .number("wallSeconds", wallSeconds, 6)
+        .integer("parts", parts)
+        .integer("partSteps", partSteps)
+        .number("partSeconds", partSeconds, 6)
         .number("threads", threads, 4)
         .number("nsPerElementStep", nsPerElementStep, 5)
         .number("nsPerContactorStep", nsPerContactorStep, 5)

@@ -19,8 +19,12 @@ struct PerformanceRecord {
     std::string runId;
     std::string backend, precision, algorithm, description;
     std::int64_t elements = 0, nodes = 0, contactors = 0, steps = 0, searches = 0, deviceBytes = 0;
-    double wallSeconds = 0; ///< of the steps since the run was last continued, or started
-    double threads = 0;     ///< on average
+    /// Of the steps of the whole run; how often it was begun or continued; and the steps and
+    /// seconds of the last of these parts, of which the figures below are.
+    double wallSeconds = 0;
+    std::int64_t parts = 1, partSteps = 0;
+    double partSeconds = 0;
+    double threads = 0; ///< on average
     /// Nothing: was not timed, or has no meaning.
     std::optional<double> nsPerElementStep, nsPerContactorStep, contactShare, bytesPerElementStep;
     double time = 0, lastStep = 0; ///< at the end

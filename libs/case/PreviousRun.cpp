@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "case/CheckpointLabel.h"
 #include "case/LaterResults.h"
 #include "case/RunStatus.h"
 #include "io/FolderTree.h"
@@ -305,20 +306,20 @@ bool isPreviousRun(const fs::path& folder)
     return isPlainFolder(folder) && isPlainFile(folder / markerFile);
 }
 
-void clearForRun(const fs::path& caseRoot, const std::string& mode, Log& log)
+void clearForRun(const OutputFolder& theCase, const std::string& mode, Log& log)
 {
-    const OutputFolder output(caseRoot);
+    const fs::path caseRoot = theCase.path();
     const auto files = resultFiles(caseRoot);
     if (mode == "refuse" && !files.empty())
         throw Error(ExitCode::fileIo,
                     format("the case holds results of {}: {}", runOf(caseRoot), counts(files)),
                     "move them away, or set previousRun keep or remove in system/controlDict");
-    refuseLinks(output);
+    refuseLinks(theCase);
     if (mode == "remove")
-        removeResults(output, files, log);
+        removeResults(theCase, files, log);
     else
-        keepResults(output, files, log);
-    if (isPlainFile(caseRoot / keptMesh)) output.remove(keptMesh);
+        keepResults(theCase, files, log);
+    if (isPlainFile(caseRoot / keptMesh)) theCase.remove(keptMesh);
 }
 
 void keepMeshOfFrames(const fs::path& caseRoot)

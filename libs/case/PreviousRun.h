@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Log.h"
+#include "io/OutputFolder.h"
 
 #include <filesystem>
 #include <string>
@@ -24,7 +25,7 @@ bool isPreviousRun(const std::filesystem::path& folder);
 /// throws Error(fileIo) if there are any. Logs one line about it. If it is killed, the next call
 /// completes it. Throws Error(fileIo) where `previous` was not made by a run, and where it or
 /// postProcessing is a link, through which nothing is written.
-void clearForRun(const std::filesystem::path& caseRoot, const std::string& mode, Log& log);
+void clearForRun(const OutputFolder& theCase, const std::string& mode, Log& log);
 
 /// Called before the mesh is replaced: frames in the case are shown through a link to it, so it is
 /// kept until they go into `previous`.

@@ -20,7 +20,7 @@ RunStatus firstStatus(const std::string& runId)
 
 std::string newRun(const OutputFolder& output, const std::string& previousRun, Log& log)
 {
-    clearForRun(output.path(), previousRun, log);
+    clearForRun(output, previousRun, log);
     return makeRunId();
 }
 

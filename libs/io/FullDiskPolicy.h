@@ -14,14 +14,15 @@ struct FullDiskPolicy {
     std::function<bool()> shouldStop = nullptr;
     /// Gets one line when a write begins to wait, and one when it goes on.
     std::function<void(const std::string&)> tell = nullptr;
-    std::chrono::milliseconds pause{5000}; ///< between two tries
+    /// Before the second try; each is twice as long as the one before, up to five seconds.
+    std::chrono::milliseconds pause{100};
 
     /// Runs `write`, which leaves nothing behind where it fails, until it succeeds. Throws what
     /// `write` throws, unless this is about a full disk and waits.
     void attempt(const std::filesystem::path& file, const std::function<void()>& write) const;
 
 private:
-    void waitForRoom(const std::filesystem::path& file) const;
+    void waitForRoom(const std::filesystem::path& file, std::chrono::milliseconds time) const;
 };
 
 } // namespace fpm

@@ -56,7 +56,8 @@ std::optional<std::string> hdf5Label(const std::filesystem::path& file);
 /// Reads files of Hdf5Image without trust: the checksum over the whole file is compared before HDF5
 /// sees it, and HDF5 sees it in a child process only, which a file forged together with its
 /// checksum may crash. Nothing is taken but what lies behind hard links: plain arrays of fixed-size
-/// numbers, no larger than the file, and short attributes. Throws Error(mesh) naming the file.
+/// numbers, no larger than the file, and short attributes. Throws Error(mesh) naming the file,
+/// Error(fileIo) where the system does not let it be read.
 class Hdf5Reader
 {
 public:

@@ -20,7 +20,7 @@ constexpr std::array<char, 7> labelMark{'f', 'p', 'm', 's', 'u', 'm', '2'};
 /// Length of the label before the seal; nothing where there is no seal.
 std::optional<std::size_t> readSeal(const InputFile& file, hdf5::Seal& seal)
 {
-    if (!file.fault().empty() || file.size() < seal.size()
+    if (!file.isReadable() || file.size() < seal.size()
         || !file.read(file.size() - seal.size(), seal))
         return std::nullopt;
     if (std::memcmp(seal.data(), plainMark.data(), plainMark.size()) == 0) return 0;
@@ -59,7 +59,7 @@ Seal makeSeal(std::uint64_t checksum, std::size_t labelLength)
 
 std::string verifySeal(const InputFile& file)
 {
-    if (!file.fault().empty()) refuse(file.name(), file.fault());
+    file.requireReadable();
     Seal seal;
     const auto labelLength = readSeal(file, seal);
     if (!labelLength) refuse(file.name(), "it does not end as a complete file of ours does");

@@ -18,8 +18,8 @@ using Seal = std::array<std::byte, 16>;
 
 /// Throws Error(internal) for a label of more than 255 bytes.
 Seal makeSeal(std::uint64_t checksum, std::size_t labelLength = 0);
-/// Compares the seal of a file with the bytes before it; returns its label. Throws Error(mesh) for
-/// what is no regular file, not complete or damaged.
+/// Compares the seal of a file with the bytes before it; returns its label. Throws as
+/// InputFile::requireReadable, and Error(mesh) for what is not complete or damaged.
 std::string verifySeal(const InputFile& file);
 /// Throws Error(mesh) saying that `file` cannot be read for `reason`.
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason);

@@ -1,11 +1,13 @@
 #include "io/InputFile.h"
 
+#include "base/Error.h"
+#include "base/Format.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
 namespace fpm {
@@ -16,9 +18,11 @@ InputFile::InputFile(const std::filesystem::path& file)
 {
     struct stat status = {};
     if (number_ < 0 || ::fstat(number_, &status) != 0)
-        fault_ = std::generic_category().message(errno);
+        fault_ = readObstacle(file, cause_ = errno);
+    else if (S_ISDIR(status.st_mode))
+        fault_ = readObstacle(file, EISDIR);
     else if (!S_ISREG(status.st_mode))
-        fault_ = "it is not a regular file";
+        fault_ = {"it is not a regular file", "put the file itself in its place"};
     else
         size_ = std::uint64_t(status.st_size);
 }
@@ -27,13 +31,22 @@ InputFile::InputFile(InputFile&& other) noexcept
     : name_(std::move(other.name_)),
       number_(std::exchange(other.number_, -1)),
       size_(other.size_),
-      fault_(std::move(other.fault_))
+      fault_(std::move(other.fault_)),
+      cause_(other.cause_)
 {
 }
 
 InputFile::~InputFile()
 {
     if (number_ >= 0) ::close(number_);
+}
+
+void InputFile::requireReadable() const
+{
+    if (isReadable()) return;
+    const bool isMissing = cause_ == 0 || cause_ == ENOENT || cause_ == ENOTDIR;
+    throw Error(isMissing ? ExitCode::mesh : ExitCode::fileIo,
+                format("cannot read '{}': {}", name_.string(), fault_.reason), fault_.advice);
 }
 
 std::string InputFile::descriptorPath() const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/ReadObstacle.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -19,8 +21,10 @@ public:
     ~InputFile();
 
     const std::filesystem::path& name() const { return name_; }
-    std::uint64_t size() const { return size_; }        ///< bytes
-    const std::string& fault() const { return fault_; } ///< why it cannot be read; empty: it can
+    std::uint64_t size() const { return size_; } ///< bytes
+    bool isReadable() const { return fault_.reason.empty(); }
+    /// Throws Error(fileIo) where the system does not let it be read, Error(mesh) where it is none.
+    void requireReadable() const;
     /// A path for libraries that open files themselves, in this process and its children.
     std::string descriptorPath() const;
     /// Fills the buffer from `offset` on; false at an early end or a read error.
@@ -30,7 +34,8 @@ private:
     std::filesystem::path name_;
     int number_;
     std::uint64_t size_ = 0;
-    std::string fault_;
+    ReadObstacle fault_; ///< nothing: none
+    int cause_ = 0;      ///< of the system, as errno
 };
 
 } // namespace fpm

@@ -210,18 +210,28 @@ void OutputFolder::renew(std::string_view file, std::string_view text) const
 
 void OutputFolder::copy(const fs::path& from, std::string_view file) const
 {
-    const Descriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-    struct stat status {};
-    if (!in.isOpen() || ::fstat(in.number(), &status) != 0) throw FileError("read", from, errno);
-    if (!S_ISREG(status.st_mode))
-        throw FileError(format("'{}' is not a regular file", from.string()), "", from);
-    const auto fill = [&](const Descriptor& out, const fs::path& path) {
-        copyAll(in, from, out, path);
-    };
-    replace(file, {std::uint64_t(status.st_size), fill, status.st_mode & permissions, false});
+    fullDisk().attempt(path(file), [&] {
+        const Descriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+        struct stat status {};
+        if (!in.isOpen() || ::fstat(in.number(), &status) != 0)
+            throw FileError("read", from, errno);
+        if (!S_ISREG(status.st_mode))
+            throw FileError(format("'{}' is not a regular file", from.string()), "", from);
+        const auto fill = [&](const Descriptor& out, const fs::path& path) {
+            copyAll(in, from, out, path);
+        };
+        replace(file, {std::uint64_t(status.st_size), fill, status.st_mode & permissions, false});
+    });
 }
 
 Descriptor OutputFolder::open(std::string_view file, int flags) const
+{
+    Descriptor opened;
+    fullDisk().attempt(path(file), [&] { opened = openOnce(file, flags); });
+    return opened;
+}
+
+Descriptor OutputFolder::openOnce(std::string_view file, int flags) const
 {
     const Place place = placeOf(file, flags & O_CREAT ? Missing::create : Missing::refuse);
     Descriptor opened(::openat(place.folder.number(), place.name.c_str(),
@@ -247,33 +257,41 @@ Descriptor OutputFolder::openFolder(std::string_view folder) const
 
 OutputFolder OutputFolder::inner(std::string_view folder) const
 {
-    Descriptor opened = walk(checked(folder), Missing::create);
+    Descriptor opened;
+    fullDisk().attempt(path(folder), [&] { opened = walk(checked(folder), Missing::create); });
     return OutputFolder(
         std::make_shared<const Shared>(Shared{path(folder), std::move(opened), fullDisk()}));
 }
 
 void OutputFolder::synchroniseNames(std::string_view folder) const
 {
-    synchroniseFolder(openFolder(folder), path(folder));
+    fullDisk().attempt(path(folder), [&] { synchroniseFolder(openFolder(folder), path(folder)); });
 }
 
 void OutputFolder::rename(std::string_view from, std::string_view to) const
 {
-    const Place old = placeOf(from, Missing::refuse), place = placeOf(to, Missing::create);
-    if (::renameat(old.folder.number(), old.name.c_str(), place.folder.number(), place.name.c_str())
-        != 0)
-        throw FileError(format("rename '{}' to", from), place.path, errno);
+    fullDisk().attempt(path(to), [&] {
+        const Place old = placeOf(from, Missing::refuse), place = placeOf(to, Missing::create);
+        if (::renameat(old.folder.number(), old.name.c_str(), place.folder.number(),
+                       place.name.c_str())
+            != 0)
+            throw FileError(format("rename '{}' to", from), place.path, errno);
+    });
 }
 
 bool OutputFolder::link(std::string_view file, std::string_view name) const
 {
-    const Place old = placeOf(file, Missing::refuse), place = placeOf(name, Missing::create);
-    if (::linkat(old.folder.number(), old.name.c_str(), place.folder.number(), place.name.c_str(),
-                 0)
-        == 0)
-        return true;
-    if (errno == EPERM || errno == EXDEV || errno == EMLINK || errno == EOPNOTSUPP) return false;
-    throw FileError(format("link '{}' to", file), place.path, errno);
+    bool isMade = false;
+    fullDisk().attempt(path(name), [&] {
+        const Place old = placeOf(file, Missing::refuse), place = placeOf(name, Missing::create);
+        isMade = ::linkat(old.folder.number(), old.name.c_str(), place.folder.number(),
+                          place.name.c_str(), 0)
+                 == 0;
+        const bool cannot =
+            errno == EPERM || errno == EXDEV || errno == EMLINK || errno == EOPNOTSUPP;
+        if (!isMade && !cannot) throw FileError(format("link '{}' to", file), place.path, errno);
+    });
+    return isMade;
 }
 
 bool OutputFolder::remove(std::string_view name) const

@@ -15,7 +15,8 @@ namespace fpm {
 /// The folder that all output goes into, as a rule a case. Nothing outside of it can be written,
 /// replaced or removed: paths are relative to it without "..", and each folder on the way is opened
 /// from the one above it and must not be a link. The folder itself may be reached through links.
-/// Copies share it. All functions throw Error(fileIo), FileError where the system refuses.
+/// Copies share it. All functions throw Error(fileIo), FileError where the system refuses; what
+/// finds the disk full does as its FullDiskPolicy says, but for renew() and remove().
 class OutputFolder
 {
 public:
@@ -64,6 +65,7 @@ private:
     Descriptor walk(const std::filesystem::path& folder, Missing missing) const;
     Place placeOf(std::string_view relative, Missing missing) const;
     void replace(std::string_view file, const Content& content) const;
+    Descriptor openOnce(std::string_view file, int flags) const;
 
     std::shared_ptr<const Shared> shared_;
 };

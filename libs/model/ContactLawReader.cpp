@@ -14,6 +14,9 @@ void readFriction(const Dictionary& entry, ContactLaw& law)
 {
     law.friction = entry.number("static", nonNegative());
     law.paperFriction = entry.choiceOr("form", "objective", {"objective", "paper"}) == "paper";
+    if (law.paperFriction && entry.has("damping"))
+        entry.fail("damping", "friction of form paper has no damping", "leave one of the two out");
+    law.slipDamping = entry.numberOr("damping", law.slipDamping, between(0, 0.5));
     const bool slows = entry.has("dynamic");
     if (slows != entry.has("decay"))
         entry.fail(slows ? "dynamic" : "decay", "'dynamic' and 'decay' are given together",
@@ -26,6 +29,38 @@ void readFriction(const Dictionary& entry, ContactLaw& law)
             "dynamic",
             format("dynamic friction {} is above the static {}", law.dynamicFriction, law.friction),
             "a body that slides is held less than one that sticks");
+}
+
+/// Exact against analytic surfaces unless springs are asked for; then what shapes springs has no
+/// meaning.
+Enforcement readEnforcement(const Dictionary& pair, bool analytic)
+{
+    const std::string word =
+        pair.choiceOr("enforcement", analytic ? "kinematic" : "penalty", {"kinematic", "penalty"});
+    if (word == "penalty") return Enforcement::penalty;
+    if (!analytic)
+        pair.fail("enforcement",
+                  "kinematic enforcement needs a plane, cylinder or sphere as target",
+                  "remove the entry: faces press by springs; or let the target be an entry of "
+                  "'surfaces' with a 'type'");
+    const std::string instead = "remove the entry; or write 'enforcement penalty;' for springs";
+    for (const char* key : {"normalScale", "tangentialScale", "penalty", "normalDamping"})
+        if (pair.has(key))
+            pair.fail(key,
+                      format("'{}' shapes springs, and an analytic surface is met exactly, "
+                             "without springs",
+                             key),
+                      instead);
+    if (!pair.isDictionary("friction")) return Enforcement::kinematic;
+    for (const char* key : {"form", "damping"})
+        if (const Dictionary friction = pair.sub("friction"); friction.has(key))
+            friction.fail(
+                key,
+                format("'{}' is for the elastic slip of springs, and an analytic surface is met "
+                       "exactly, without springs",
+                       key),
+                instead);
+    return Enforcement::kinematic;
 }
 
 Point direction(const Dictionary& entry, const std::string& key)
@@ -67,10 +102,11 @@ void readMotion(const Dictionary& entry, RigidSurface& surface)
 
 } // namespace
 
-ContactLaw readContactLaw(const Dictionary& pair)
+ContactLaw readContactLaw(const Dictionary& pair, bool analytic)
 {
     const Range scale{0, 100, true, false};
     ContactLaw law;
+    law.enforcement = readEnforcement(pair, analytic);
     if (pair.isDictionary("friction"))
         readFriction(pair.sub("friction"), law);
     else
@@ -81,7 +117,10 @@ ContactLaw readContactLaw(const Dictionary& pair)
     for (const PenaltyEntry& rule : penaltyEntries) words.push_back(rule.word);
     const std::string word = pair.choiceOr("penalty", entryOf(law.penalty).word, words);
     law.penalty = PenaltyRule(int(std::find(words.begin(), words.end(), word) - words.begin()));
-    law.normalDamping = pair.numberOr("normalDamping", 0.0, between(0, 1));
+    // Steady sliding needs a little of it (doc/defaults.md).
+    const bool slides =
+        law.friction > 0 && !law.paperFriction && law.enforcement == Enforcement::penalty;
+    law.normalDamping = pair.numberOr("normalDamping", slides ? 0.05 : 0.0, between(0, 1));
     return law;
 }
 

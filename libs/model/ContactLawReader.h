@@ -6,8 +6,9 @@
 
 namespace fpm {
 
-/// Friction, penalty and damping of an entry of `pairs`.
-ContactLaw readContactLaw(const Dictionary& pair);
+/// Enforcement, friction, penalty and damping of an entry of `pairs`; `analytic`: its target is an
+/// analytic surface.
+ContactLaw readContactLaw(const Dictionary& pair, bool analytic);
 
 /// An entry of `surfaces` that has a `type`.
 RigidSurface readRigidSurface(const Dictionary& entry, const std::string& name);

@@ -72,10 +72,12 @@ SurfaceEntry readSurface(const Dictionary& entry, const std::string& name)
     return surface;
 }
 
-/// What pairs and general contact have in common.
-void readOptions(PairEntry& pair, const Dictionary& entry)
+/// What pairs and general contact have in common. `edges`: the default of that entry; `analytic`:
+/// against a surface without a mesh.
+void readOptions(PairEntry& pair, const Dictionary& entry, bool edges, bool analytic)
 {
-    static_cast<ContactLaw&>(pair) = readContactLaw(entry);
+    static_cast<ContactLaw&>(pair) = readContactLaw(entry, analytic);
+    pair.edges = entry.switchOr("edges", edges);
     const std::string overlap =
         entry.choiceOr("initialOverlap", "offset", {"report", "offset", "ramp", "move"});
     pair.initialOverlap = overlap == "report" ? InitialOverlap::report
@@ -86,13 +88,13 @@ void readOptions(PairEntry& pair, const Dictionary& entry)
         pair.rampTime = entry.number("rampTime", positive());
 }
 
-PairEntry readPair(const Dictionary& entry, const std::string& name)
+PairEntry readPair(const Dictionary& entry, const std::string& name, const ContactEntries& surfaces)
 {
     PairEntry pair;
     pair.name = name;
     pair.contactor = entry.word("contactor");
     pair.target = entry.word("target");
-    readOptions(pair, entry);
+    readOptions(pair, entry, false, surfaces.rigidSurface(pair.target) >= 0);
     pair.search = entry.choiceOr("search", "faces", {"faces", "closestParticle"}) == "faces"
                       ? ContactSearch::faces
                       : ContactSearch::closestParticle;
@@ -107,9 +109,10 @@ PairEntry readGeneral(const Dictionary& contactDict)
 {
     PairEntry general;
     general.name = generalContact;
+    general.edges = true;
     if (contactDict.isDictionary(generalContact)) {
         const Dictionary entry = contactDict.sub(generalContact);
-        readOptions(general, entry);
+        readOptions(general, entry, true, false);
         if (general.initialOverlap == InitialOverlap::move)
             entry.fail("initialOverlap", "in general contact nothing says which body should move",
                        "give the two bodies a pair of their own with 'initialOverlap move;'");
@@ -157,7 +160,7 @@ ContactEntries readContactEntries(const Dictionary& contactDict)
         if (name == generalContact)
             pairs.fail(name, "'general' is the name of contact of all bodies with all",
                        "write 'general;' outside of 'pairs', or give the pair another name");
-        entries.pairs.push_back(readPair(pairs.sub(name), name));
+        entries.pairs.push_back(readPair(pairs.sub(name), name, entries));
         if (!isFileName(name))
             pairs.fail(name, "'" + name + "' cannot be the name of a file under postProcessing",
                        "use letters, digits and _ . + -, at most 64, no leading dot");

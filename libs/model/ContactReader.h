@@ -30,6 +30,7 @@ struct PairEntry : ContactLaw {
     ContactSearch search = ContactSearch::faces;
     ContactProjection projection = ContactProjection::tracked;
     int passes = 1;
+    bool edges = false;
     InitialOverlap initialOverlap = InitialOverlap::offset;
     double rampTime = 0;
 };

@@ -4,6 +4,7 @@
 #include "base/Hash.h"
 #include "mesh/MeshFile.h"
 #include "mesh/Quality.h"
+#include "mesh/SharpEdges.h"
 #include "mesh/Surface.h"
 #include "model/ContactReader.h"
 #include "model/ContactReport.h"
@@ -98,14 +99,27 @@ void moveToSurface(Mesh& mesh, const ContactFit& fit, const Dictionary& pair, Lo
     log.line(format("    {} nodes moved, by at most {}", moved.size(), farthest));
 }
 
-void reportCrossings(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log)
+void reportCrossings(const Mesh& mesh, const ContactSurfaces& surfaces, bool edges, Log& log)
 {
     const EdgeCrossings found =
         edgeCrossings(mesh, mesh.points, surfaces.contactorSides, surfaces.targetSides);
     if (found.count > 0)
         log.warning(format("pair {}: {} edges pass through the other surface between their nodes, "
-                           "deepest at {}: node-to-face contact does not see them",
-                           surfaces.pair, found.count, pointText(found.place)));
+                           "deepest at {}: {}",
+                           surfaces.pair, found.count, pointText(found.place),
+                           edges ? "contact of edges treats them as initialOverlap says"
+                                 : "node-to-face contact does not see them, 'edges yes;' would"));
+}
+
+/// How many segments of sharp edges meet those of the other surface.
+void reportEdges(const Mesh& mesh, const ContactSurfaces& surfaces, Log& log)
+{
+    const std::size_t own = sharpEdges(mesh, surfaces.contactorSides).size();
+    if (surfaces.contactorSides == surfaces.targetSides)
+        log.line(format("    {} segments of sharp edges", own));
+    else
+        log.line(format("    {} segments of sharp edges against {}", own,
+                        sharpEdges(mesh, surfaces.targetSides).size()));
 }
 
 /// What needs faces has no meaning against an analytic surface.
@@ -117,6 +131,7 @@ void refuseFaceOptions(const PairEntry& entry, const Dictionary& place)
         place.fail("search", "the target has no particles to search", instead);
     if (entry.projection == ContactProjection::cold)
         place.fail("projection", "the target has no faces to project on", instead);
+    if (entry.edges) place.fail("edges", "the target has no edges", instead);
     if (entry.passes == 2)
         place.fail("passes", "the target has no nodes for a second pass", instead);
     if (place.has("initialOverlap") && entry.initialOverlap != InitialOverlap::report)
@@ -150,6 +165,7 @@ ContactSurfaces setPair(Mesh& mesh,
         log.line(format("pair {}: {} nodes in contact with {} faces of their own surface",
                         surfaces.pair, surfaces.contactorNodes.size(),
                         surfaces.targetSides.size()));
+        if (entry.edges) reportEdges(mesh, surfaces, log);
         return surfaces;
     }
     const ContactFit fit = measureContact(mesh, surfaces);
@@ -157,7 +173,8 @@ ContactSurfaces setPair(Mesh& mesh,
     reportContact(mesh, surfaces, fit, entry.initialOverlap, entry.passes, log);
     if (entry.initialOverlap == InitialOverlap::move) moveToSurface(mesh, fit, place, log);
     refuseDeepStart(mesh, surfaces, entry.passes, place);
-    reportCrossings(mesh, surfaces, log);
+    if (entry.edges) reportEdges(mesh, surfaces, log);
+    reportCrossings(mesh, surfaces, entry.edges, log);
     return surfaces;
 }
 
@@ -173,13 +190,14 @@ ContactSurfaces setGeneral(const Mesh& mesh,
     log.line(format("general contact: {} nodes, {} faces of {} parts",
                     surfaces.contactorNodes.size(), surfaces.targetSides.size(),
                     mesh.parts.size()));
+    if (entry.edges) reportEdges(mesh, surfaces, log);
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) // nodes of two bodies may meet
         reportSeams(
             mesh, {entry.name + ", part " + mesh.parts[part].name, {}, {}, skin(mesh, Index(part))},
             log);
     for (const ContactSurfaces& two : meetingBodies(mesh, rigid, {})) {
         reportOverlaps(mesh, two.pair, measureContact(mesh, two), entry.initialOverlap, log);
-        if (two.contactorSides < two.targetSides) reportCrossings(mesh, two, log);
+        if (two.contactorSides < two.targetSides) reportCrossings(mesh, two, entry.edges, log);
     }
     refuseDeepBodies(mesh, rigid, pairs, contactDict);
     return surfaces;

@@ -69,7 +69,8 @@ void readWithoutEffect(const Dictionary& dictionary, Log& log)
 void readTimeStep(const Dictionary& timeStep, Control& control)
 {
     control.timeStepSafety = timeStep.numberOr("safety", 0.9, {0, 1, true, false});
-    control.contactStepLimit = timeStep.numberOr("contactLimit", 0.5, {0, 2, true, false});
+    control.contactStepLimit =
+        timeStep.numberOr("contactLimit", control.contactStepLimit, {0, 2, true, false});
     control.maximumTimeStep = timeStep.numberOr("maximum", 0.0, nonNegative());
     control.fixedTimeStep = timeStep.numberOr("fixed", 0.0, nonNegative());
     if (control.maximumTimeStep > 0 && control.fixedTimeStep > 0)

@@ -107,11 +107,14 @@ struct ContactPair : ContactLaw {
     ContactSearch search = ContactSearch::faces;
     ContactProjection projection = ContactProjection::tracked;
     ContactKind kind = ContactKind::pair;
-    int passes = 1; ///< 2: each side is contactor once, with half the stiffness
+    int passes = 1;     ///< 2: each side is contactor once, with half the stiffness
+    bool edges = false; ///< sharp edges meet each other too
     InitialOverlap initialOverlap = InitialOverlap::offset;
     double rampTime = 0; ///< over which `ramp` forgives
     /// Of general contact: parts that have pairs of their own.
     std::vector<std::array<Index, 2>> apart;
+
+    bool hasSprings() const { return surface < 0 || enforcement == Enforcement::penalty; }
 };
 
 enum class Precision { double_, mixed, single };
@@ -168,7 +171,7 @@ struct Control {
     CheckpointControl checkpoint;
     double historyInterval = 0;     ///< time between history rows; 0 = every step
     double timeStepSafety = 0.9;    ///< of the stability bound
-    double contactStepLimit = 0.5;  ///< omega_c dt, the energy-quality bound
+    double contactStepLimit = 0.8;  ///< omega_c dt, the energy-quality bound
     double maximumTimeStep = 0;     ///< > 0: no step is longer
     double fixedTimeStep = 0;       ///< > 0: this step, checked against the bound
     bool beyondBound = false;       ///< the fixed step may exceed it: to see what happens

@@ -78,6 +78,10 @@ void applyPaperAlgorithm(Model& model,
     checkParts(model, control, parts, overridden);
     checkPairs(model, control, contact, overridden);
     takePaperForms(model);
+    // The print has no damping; what a case asks for it gets.
+    for (ContactPair& pair : model.contactPairs)
+        if (pair.paperFriction && !contact.sub("pairs").sub(pair.name).has("normalDamping"))
+            pair.normalDamping = 0;
     for (const std::string& entry : overridden) log.warning("algorithm paper overrides " + entry);
     log.line(
         "algorithm of the paper, for comparison: rotation arcsin, strainGeometry start, search "

@@ -51,6 +51,7 @@ ContactPair makePair(const PairEntry& entry, const ContactSurfaces& surfaces)
     pair.kind =
         surfaces.contactorSides == surfaces.targetSides ? ContactKind::self : ContactKind::pair;
     pair.passes = entry.passes;
+    pair.edges = entry.edges;
     pair.initialOverlap = entry.initialOverlap;
     pair.rampTime = entry.rampTime;
     return pair;

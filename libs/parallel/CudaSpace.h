@@ -19,7 +19,7 @@ inline void checkCuda(cudaError_t status, const char* what)
     throw Error(memory ? ExitCode::device : ExitCode::deviceLost,
                 std::string("CUDA: ") + what + ": " + cudaGetErrorString(status),
                 memory ? "the model does not fit the free memory of this GPU"
-                       : "nothing on the device can be trusted any more; start the run again");
+                       : "nothing on the device can be trusted any more");
 }
 
 /// Memory of the current device, by plain cudaMalloc: at set-up only.

@@ -74,6 +74,23 @@ double lengthWithin(const Box& box, const Stroke& stroke)
     return isIn ? (last - first) * std::hypot(dx, dy) : 0;
 }
 
+double distance(const Box& box, Pixel at)
+{
+    return std::hypot(std::max({box.left - at.x, at.x - box.right, 0.0}),
+                      std::max({box.top - at.y, at.y - box.bottom, 0.0}));
+}
+
+/// Marks that a text would seem to belong to as much as to its own.
+std::size_t ambiguities(const Box& box, Pixel own, const std::vector<PlacedMark>& marks)
+{
+    constexpr double clearly = 2;
+    const double near = distance(box, own) + clearly;
+    return std::size_t(std::count_if(marks.begin(), marks.end(), [&](const PlacedMark& mark) {
+        const bool isOwn = mark.at.x == own.x && mark.at.y == own.y;
+        return !isOwn && distance(box, mark.at) < near;
+    }));
+}
+
 /// How bad a place is, in pixels covered.
 double coveredBy(const Box& box,
                  const std::vector<Box>& taken,
@@ -126,8 +143,10 @@ void drawMarks(SvgDrawing& svg,
         double least = 1e300;
         for (const Seat& seat : isKnown ? std::vector<Seat>(seats.begin(), seats.end())
                                         : std::vector<Seat>{beside, before}) {
-            const double covered =
-                coveredBy(textBox(mark.at, seat, mark.mark.text), taken, curves, frame);
+            const Box box = textBox(mark.at, seat, mark.mark.text);
+            constexpr double asBadAs = 100; // pixels covered
+            const double covered = coveredBy(box, taken, curves, frame)
+                                   + asBadAs * double(ambiguities(box, mark.at, marks));
             if (covered < least) best = seat, least = covered;
         }
         taken.push_back(textBox(mark.at, best, mark.mark.text));

@@ -26,7 +26,7 @@ struct Stroke {
 
 /// Draws marks (those without y one below the other from the top) and the texts beside them; each
 /// text takes the place around its mark, within the frame, where least of a mark, another text or
-/// a curve is covered.
+/// a curve is covered and no other mark is as near.
 void drawMarks(SvgDrawing& svg,
                std::vector<PlacedMark> marks,
                const std::vector<Stroke>& curves,

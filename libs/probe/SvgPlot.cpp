@@ -18,9 +18,10 @@ constexpr std::size_t sparse = 12; ///< a line through so few points shows them 
 constexpr const char* ink = "#374151";
 
 // Okabe and Ito 2008; black is kept for reference data. Brown and violet of ColorBrewer follow, and
-// yellow, weak on white, comes last.
-constexpr std::array<const char*, 9> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00",
-                                             "#56B4E9", "#8C510A", "#7B3294", "#F0E442"};
+// an olive; yellow, weak on white, comes last.
+constexpr std::array<const char*, 10> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                              "#E69F00", "#56B4E9", "#8C510A", "#7B3294",
+                                              "#8A9A00", "#F0E442"};
 constexpr const char* referenceColour = "#1f2937";
 
 struct Look {

@@ -3,10 +3,8 @@
 #include "base/Error.h"
 #include "base/Format.h"
 #include "base/Version.h"
-#include "dictionary/Number.h"
 #include "io/Checksum.h"
 #include "io/Hdf5File.h"
-#include "io/RunMark.h"
 
 #include <array>
 #include <cmath>
@@ -16,7 +14,7 @@ namespace fpm {
 namespace {
 
 /// Raised whenever a field or the record of a run means something else than before.
-constexpr std::int64_t stateVersion = 1;
+constexpr std::int64_t stateVersion = 2;
 
 std::span<const std::uint8_t> octets(std::span<const std::byte> bytes)
 {
@@ -105,12 +103,15 @@ Checkpoint read(const std::filesystem::path& file)
     out.runId = reader.text("/fpm", "runId");
     out.time = reader.number("/fpm", "time");
     out.steps = integer(reader, "steps");
+    out.lastStep = reader.number("/fpm", "lastStep");
     out.wallSeconds = reader.number("/fpm", "wallSeconds");
+    out.cpuSeconds = reader.number("/fpm", "cpuSeconds");
     out.settled = integer(reader, "settled") != 0;
     // By the label it was chosen, and no other text than a label's word is an id.
     const auto label = checkpointLabel(file);
     if (!label || label->runId != out.runId || label->time != out.time || label->steps != out.steps
-        || !std::isfinite(out.wallSeconds))
+        || label->lastStep != out.lastStep || !std::isfinite(out.wallSeconds)
+        || !std::isfinite(out.cpuSeconds))
         throw Error(ExitCode::checkpoint, "it is not the one that its label names");
     out.inputs.mesh = reader.text("/fpm", "mesh");
     for (const std::string& name : reader.children("/inputs")) {
@@ -123,23 +124,6 @@ Checkpoint read(const std::filesystem::path& file)
 }
 
 } // namespace
-
-std::optional<CheckpointLabel> checkpointLabel(const std::filesystem::path& file)
-{
-    const auto text = hdf5Label(file);
-    const auto mark = text ? findMark(*text) : std::nullopt;
-    if (!mark || mark->file != checkpointFile) return std::nullopt;
-    const auto valueOf = [&](const std::string& word) {
-        const auto at = text->find(" " + word + " ");
-        if (at == text->npos) return std::string();
-        const std::string rest = text->substr(at + word.size() + 2);
-        return rest.substr(0, rest.find(' '));
-    };
-    const auto time = readNumber(valueOf("time"));
-    const auto steps = readInteger(valueOf("steps"));
-    if (!time || !steps) return std::nullopt;
-    return CheckpointLabel{mark->runId, *time, *steps};
-}
 
 void writeCheckpoint(const OutputFolder& theCase,
                      const std::string& file,
@@ -154,7 +138,9 @@ void writeCheckpoint(const OutputFolder& theCase,
     image.attribute("/fpm", "runId", checkpoint.runId);
     image.attribute("/fpm", "time", checkpoint.time);
     integer("steps", checkpoint.steps);
+    image.attribute("/fpm", "lastStep", checkpoint.lastStep);
     image.attribute("/fpm", "wallSeconds", checkpoint.wallSeconds);
+    image.attribute("/fpm", "cpuSeconds", checkpoint.cpuSeconds);
     integer("settled", checkpoint.settled);
     image.attribute("/fpm", "mesh", checkpoint.inputs.mesh);
     image.attribute("/inputs", "files",
@@ -167,9 +153,7 @@ void writeCheckpoint(const OutputFolder& theCase,
     }
     writeState(image, checkpoint.state);
     writeBytes(image, "/record", checkpoint.record);
-    image.save(theCase, file,
-               RunMark{checkpoint.runId, checkpointFile}.text()
-                   + format(" time {} steps {}", toText(checkpoint.time), checkpoint.steps));
+    image.save(theCase, file, checkpoint.text());
 }
 
 void requireMoment(const Checkpoint& checkpoint, double time, std::int64_t steps)

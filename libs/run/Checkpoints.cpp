@@ -14,14 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int mostFiles = 101;
-
-/// Of the checkpoint `age` writings ago.
-std::string fileOf(int age)
-{
-    return age == 0 ? checkpointFile : format("{}/state.{}.h5", checkpointFolder, age);
-}
-
 struct Found {
     std::string file;
     std::optional<CheckpointLabel> label; ///< none: damaged
@@ -48,8 +40,8 @@ std::vector<Found> checkpointsIn(const fs::path& caseRoot)
 {
     const auto status = readStatus(caseRoot);
     std::vector<Found> found;
-    for (int age = 0; age < mostFiles; ++age) {
-        const std::string file = fileOf(age);
+    for (int age = 0; age < mostCheckpoints; ++age) {
+        const std::string file = checkpointFileOf(age);
         if (!isPlainFile(caseRoot / file)) continue;
         const auto label = checkpointLabel(caseRoot / file);
         const bool isOther =
@@ -108,8 +100,8 @@ void Checkpoints::write(const Checkpoint& checkpoint, int keep)
     // moves.
     const std::string fresh = format("{}/next.h5", checkpointFolder);
     writeCheckpoint(case_, fresh, checkpoint);
-    for (int age = mostFiles - 1; age > 0; --age) {
-        const std::string older = fileOf(age), newer = fileOf(age - 1);
+    for (int age = mostCheckpoints - 1; age > 0; --age) {
+        const std::string older = checkpointFileOf(age), newer = checkpointFileOf(age - 1);
         if (age >= keep && isPlainFile(case_.path(older))) case_.remove(older);
         if (age < keep && isPlainFile(case_.path(newer))) case_.rename(newer, older);
     }

@@ -31,9 +31,10 @@ constexpr std::array<Loss, 4> losses{
       "at least surfaces that are named without their sides"},
      {&PairForce::late, "lists of faces that were outrun",
       "contactors may have been missed: set searchInterval 1 or a smaller timeStep.maximum"},
-     {&PairForce::crowded, "searches with more than three bodies in reach of a node",
-      "it was held by the nearest three: join bodies in the mesh, or stagger them so that no more "
-      "than three meet"}}};
+     {&PairForce::crowded,
+      "searches with more than three bodies in reach of a node, or eight edges of an edge",
+      "it was held by the nearest: join bodies in the mesh, or stagger them so that no more "
+      "than three meet; smaller elements along an edge that lies across many others"}}};
 
 } // namespace
 
@@ -120,11 +121,16 @@ void ContactHealth::addFriction(std::size_t pair, HealthRows& rows) const
 {
     const Sliding& sliding = pairs_[pair].sliding;
     if (!sliding.isJudged()) return;
-    rows.push_back({"friction while sliding / friction of Coulomb", sliding.ratio(),
-                    HealthLimits::friction, "pair " + model_.contactPairs[pair].name,
-                    sliding.worstTime(), sliding.ratio() < HealthLimits::friction,
-                    "body and contact chatter, so that contactors stick by turns: more "
-                    "bulkViscosity, hourglass { form viscous; } or normalDamping calm them"});
+    rows.push_back(
+        {"friction while sliding / friction of Coulomb", sliding.ratio(), HealthLimits::friction,
+         "pair " + model_.contactPairs[pair].name, sliding.worstTime(),
+         sliding.ratio() < HealthLimits::friction,
+         !model_.contactPairs[pair].hasSprings()
+             ? "the body chatters, so that contactors stick by turns: springs with their "
+               "damping ('enforcement penalty;') calm it"
+             : "body and contact chatter, so that contactors stick by turns: damping of "
+               "the friction (friction { static ...; damping 0.5; }), normalDamping and "
+               "bulkViscosity calm them"});
 }
 
 void ContactHealth::addCounts(Solver& solver, HealthRows& rows) const

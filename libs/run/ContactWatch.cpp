@@ -26,9 +26,10 @@ void reportContact(Solver& solver, const Model& model, Log& log)
                                "thick and were released",
                                force.released, name));
         if (force.crowded > 0)
-            log.warning(format("pair {}: {} times a node had more than three bodies in reach; it "
-                               "was held by the nearest three",
-                               name, force.crowded));
+            log.warning(
+                format("pair {}: {} times a node had more than three bodies in reach, or an "
+                       "edge more than eight edges; it was held by the nearest",
+                       name, force.crowded));
         if (force.late > 0)
             log.warning(format("pair {}: {} times blocks of contactors moved further than the skin "
                                "of their lists before these were rebuilt; set searchInterval 1 "

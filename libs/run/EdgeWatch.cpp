@@ -25,8 +25,10 @@ void warn(const EdgeFinding& found, Log& log)
 {
     const Point& at = found.crossings.place;
     log.warning(format("{}: at time {} {} edges pass through the other surface between their "
-                       "nodes, deepest at ({} {} {}): node-to-face contact does not see them",
-                       found.pair, found.time, found.crossings.count, at[0], at[1], at[2]));
+                       "nodes, deepest at ({} {} {}): {}",
+                       found.pair, found.time, found.crossings.count, at[0], at[1], at[2],
+                       found.springs ? "contact of edges does not hold them"
+                                     : "node-to-face contact does not see them"));
 }
 
 /// Width of a mean element.
@@ -49,6 +51,15 @@ std::vector<ElementSide> living(std::vector<ElementSide> sides, const std::vecto
 bool EdgeFinding::isDeep() const
 {
     return crossings.depth > HealthLimits::depthOfEdge;
+}
+
+std::string EdgeFinding::advice() const
+{
+    if (springs)
+        return "contact of edges does not hold them: a larger normalScale, smaller elements along "
+               "the edges, or a slower approach";
+    return "node-to-face contact does not see edges between their nodes: 'edges yes;' in the pair, "
+           "or elements along them smaller than the other body";
 }
 
 EdgeWatch::EdgeWatch(const Model& model) : model_(model), planes_(mirrorPlanes(model))
@@ -144,7 +155,7 @@ void EdgeWatch::check(Solver& solver, Log& log)
                 edgeCrossings(mesh, points, living(group.surfaces[a], deleted),
                               living(group.surfaces[b], deleted), mirrors_);
             if (!(crossings.depth > found.crossings.depth)) return;
-            found = {name(group, a, b), crossings, solver.clock().time};
+            found = {name(group, a, b), crossings, solver.clock().time, group.pair->edges};
             if (found.isDeep()) warn(found, log);
         });
     }
@@ -165,7 +176,9 @@ void EdgeWatch::keep(Archive& archive)
             each(one.second.crossings.place);
             each(one.second.time);
         });
-        if (archive.reads()) group.found = {all.begin(), all.end()};
+        if (!archive.reads()) continue;
+        for (auto& each : all) each.second.springs = group.pair->edges;
+        group.found = {all.begin(), all.end()};
     }
 }
 

@@ -15,11 +15,13 @@ struct EdgeFinding {
     std::string pair; ///< "pair wires", "pair general, parts a and b"
     EdgeCrossings crossings;
     double time = 0;
+    bool springs = false; ///< the pair has contact of edges
 
     bool isDeep() const;
+    std::string advice() const;
 };
 
-/// Watches for edges that node-to-face contact does not see, between the surfaces of pairs and the
+/// Watches for edges that contact does not hold, between the surfaces of pairs and the
 /// bodies of general contact, which warn once each where edges are deep.
 class EdgeWatch
 {

@@ -42,9 +42,7 @@ HealthRows Health::rows(Solver& solver, const EdgeWatch& edges) const
                         edge.crossings.depth, HealthLimits::depthOfEdge,
                         format("{}, {} edges, deepest at ({} {} {})", edge.pair,
                                edge.crossings.count, at[0], at[1], at[2]),
-                        edge.time, edge.isDeep(),
-                        "node-to-face contact does not see edges between their nodes: round the "
-                        "edges, or make elements along them smaller than the other body"});
+                        edge.time, edge.isDeep(), edge.advice()});
     }
     motion_.addRows(solver, rows);
     return rows;

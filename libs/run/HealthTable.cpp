@@ -2,7 +2,6 @@
 
 #include "base/Format.h"
 #include "dictionary/DictionaryText.h"
-#include "io/OutputFolder.h"
 #include "io/RunMark.h"
 
 #include <algorithm>
@@ -72,9 +71,7 @@ std::string healthStatus(const HealthRows& rows)
     return format("findings {};\nhealth ({});\n", findings(rows), names);
 }
 
-void writeHealth(const std::filesystem::path& caseRoot,
-                 const std::string& runId,
-                 const HealthRows& rows)
+void writeHealth(const OutputFolder& theCase, const std::string& runId, const HealthRows& rows)
 {
     const std::string file = "postProcessing/health/0/health";
     DictionaryText text(RunMark{runId, file}.text());
@@ -89,7 +86,7 @@ void writeHealth(const std::filesystem::path& caseRoot,
         if (row.finding) text.string("advice", row.advice);
         text.closeItem();
     }
-    OutputFolder(caseRoot).write(file, text.closeList().text());
+    theCase.write(file, text.closeList().text());
 }
 
 } // namespace fpm

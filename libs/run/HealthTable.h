@@ -1,8 +1,7 @@
 #pragma once
 
+#include "io/OutputFolder.h"
 #include "run/HealthRow.h"
-
-#include <filesystem>
 
 namespace fpm {
 
@@ -16,8 +15,6 @@ std::string healthStatus(const HealthRows& rows);
 /// postProcessing/health/0/health of a case: a dictionary with runId, findings and a list `figures`
 /// of { figure value limit time verdict where advice }. Without limit: reported, not judged;
 /// without time: of the run as a whole; without advice: no finding.
-void writeHealth(const std::filesystem::path& caseRoot,
-                 const std::string& runId,
-                 const HealthRows& rows);
+void writeHealth(const OutputFolder& theCase, const std::string& runId, const HealthRows& rows);
 
 } // namespace fpm

@@ -52,16 +52,22 @@ std::string pairLine(const ContactPassSetup& pass, const ContactPair& pair, cons
         if (acts) does += (does.empty() ? "" : ", ") + what;
     };
     if (pass.surface >= 0)
-        does = "analytic surface " + model.rigidSurfaces[std::size_t(pass.surface)].name;
+        does = "analytic surface " + model.rigidSurfaces[std::size_t(pass.surface)].name
+               + (pass.kinematic ? ", met exactly" : ", springs");
+    else if (pass.ofEdges)
+        does = "sharp edges";
     else {
         add(pass.search == ContactSearch::faces, "search faces");
         add(pass.search == ContactSearch::closestParticle, "search closestParticle");
         add(pass.projection == ContactProjection::cold, "cold projection");
     }
-    add(pass.law.friction > 0, pass.law.paperFriction ? "friction of the paper" : "friction");
-    add(pass.law.normalDamping > 0, "damping");
+    add(pass.law.friction > 0,
+        pass.law.paperFriction && !pass.kinematic ? "friction of the paper" : "friction");
+    add(pass.law.normalDamping > 0 && !pass.kinematic, "damping");
     add(pass.components > 1, "several bodies a node");
     add(pass.forgives, "initial overlap forgiven");
+    if (pass.ofEdges)
+        return format("contact {}: {}; {} segments", pair.name, does, pass.faceThickness.size());
     return format("contact {}{}: {}; {} contactors on {} faces", pair.name,
                   pass.reversed ? ", second pass" : "", does, pass.contactor.size(),
                   pass.faceThickness.size());

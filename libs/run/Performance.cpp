@@ -3,7 +3,6 @@
 #include "base/Format.h"
 #include "base/Hash.h"
 #include "case/PerformanceRecord.h"
-#include "io/OutputFolder.h"
 #include "run/RunForecast.h"
 #include "run/StepBytes.h"
 #include "run/StepSetters.h"
@@ -133,10 +132,13 @@ void reportPairs(Solver& solver, const Model& model, Log& log)
     for (std::size_t number = 0; number < model.contactPairs.size(); ++number) {
         const ContactPair& pair = model.contactPairs[number];
         const PairForce now = solver.contact().force(number);
-        std::string line = format("pair {}: {} in contact, springs up to {}, held {}", pair.name,
-                                  now.active, largestStiffnessOf(solver, number), now.springEnergy);
+        std::string line = format("pair {}: {} in contact, ", pair.name, now.active);
+        line += pair.hasSprings() ? format("springs up to {}, held {}",
+                                           largestStiffnessOf(solver, number), now.springEnergy)
+                                  : "met exactly";
         if (pair.friction > 0) line += format(", lost to friction {}", now.friction);
-        if (pair.normalDamping > 0) line += format(", lost to contact damping {}", now.damping);
+        if (!pair.hasSprings() || pair.normalDamping > 0)
+            line += format(", lost to contact damping {}", now.damping);
         log.line(line);
     }
 }
@@ -163,7 +165,7 @@ void addContact(PerformanceRecord& record, Solver& solver, const Model& model)
         record.contactLimitedBy = stepLimit(solver, model);
 }
 
-PerformanceRecord performanceOf(Solver& solver, const Model& model)
+PerformanceRecord performanceOf(Solver& solver, const Model& model, const EarlierParts& earlier)
 {
     PerformanceRecord record;
     const StepTimes& t = solver.times();
@@ -178,7 +180,10 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
     record.steps = clock.steps;
     record.searches = t.searches;
     record.deviceBytes = std::int64_t(solver.fields().bytes());
-    record.wallSeconds = t.total;
+    record.wallSeconds = earlier.stepSeconds + t.total;
+    record.parts = earlier.count + 1;
+    record.partSteps = t.steps;
+    record.partSeconds = t.total;
     record.threads = t.threads;
     const double steps = double(t.steps), elements = double(record.elements),
                  touching = double(record.contactors), contact = t.contact + t.search;
@@ -200,9 +205,16 @@ PerformanceRecord performanceOf(Solver& solver, const Model& model)
 
 } // namespace
 
+void EarlierParts::keep(Archive& archive)
+{
+    archive(count);
+    archive(stepSeconds);
+}
+
 void reportPerformance(Solver& solver,
                        const Model& model,
-                       const std::filesystem::path& caseRoot,
+                       const EarlierParts& earlier,
+                       const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log)
 {
@@ -221,11 +233,14 @@ void reportPerformance(Solver& solver,
                         toText(100 * t.element / t.total, 3),
                         toText(100 * (t.contact + t.search) / t.total, 3), t.searches,
                         toText(100 * t.node / t.total, 3)));
-    PerformanceRecord record = performanceOf(solver, model);
+    PerformanceRecord record = performanceOf(solver, model, earlier);
+    if (earlier.count > 0)
+        log.line(format("  the whole run: {} steps, {} s, in {} parts", record.steps,
+                        toText(record.wallSeconds, 4), record.parts));
     record.runId = runId;
     record.checksum = hexText(stateChecksum(solver));
     log.line("stateChecksum = " + record.checksum);
-    OutputFolder(caseRoot).write(performanceFile, record.text());
+    theCase.write(performanceFile, record.text());
 }
 
 namespace {

@@ -1,17 +1,29 @@
 #pragma once
 
+#include "base/Archive.h"
 #include "base/Log.h"
+#include "io/OutputFolder.h"
 #include "solver/Solver.h"
 
-#include <filesystem>
-
 namespace fpm {
+
+/// The parts of a run before this one, where it goes on from a checkpoint: what became of them up
+/// to there.
+struct EarlierParts {
+    std::int64_t count = 0;
+    double stepSeconds = 0; ///< of their steps
+
+    /// Together with the part that the solver has made.
+    EarlierParts with(const StepTimes& part) const { return {count + 1, stepSeconds + part.total}; }
+    void keep(Archive& archive);
+};
 
 /// Logs ns per element-step, the shares of the solvers and the checksum of the state, and writes
 /// the PerformanceRecord of the run.
 void reportPerformance(Solver& solver,
                        const Model& model,
-                       const std::filesystem::path& caseRoot,
+                       const EarlierParts& earlier,
+                       const OutputFolder& theCase,
                        const std::string& runId,
                        Log& log);
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "base/Error.h"
 #include "base/Log.h"
+#include "case/CheckpointLabel.h"
 #include "solver/Solver.h"
 
 namespace fpm {
@@ -13,5 +15,18 @@ void reportEnergies(const Energies& energies, Log& log);
 void reportRest(const StepClock& clock, const Control& control, Log& log);
 /// Elements that were deleted, a line a part.
 void reportErosion(Solver& solver, const Model& model, Log& log);
+
+/// The line that shows how far a run is: `seconds` after its start, or after it went on from
+/// `from`.
+std::string progressText(const StepClock& clock,
+                         const Control& control,
+                         const CheckpointLabel* from,
+                         double balance,
+                         std::size_t elements,
+                         double seconds);
+
+/// An error that leaves the last checkpoint good, that of step `checkpointStep`, says how to go on,
+/// a lost device also where there is none (negative).
+Error withWayOn(const Error& error, std::int64_t checkpointStep);
 
 } // namespace fpm

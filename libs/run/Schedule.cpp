@@ -101,12 +101,13 @@ void Schedule::frameIsDone(const StepClock& clock, double wall)
     if (next <= control_.endTime - 1e-6 * interval) nextFrame_ = next;
 }
 
-/// A row is taken at the first step at or after its time, so that it never shortens a step.
+/// A row is taken at the first step at or after its time, so that it never shortens a step. Which
+/// one that is does not depend on where the run ends.
 double Schedule::rowAfter(const StepClock& clock) const
 {
     if (!(control_.historyInterval > 0)) // every step
         return std::nextafter(clock.time, std::numeric_limits<double>::infinity());
-    const double tiny = 1e-9 * control_.endTime;
+    const double tiny = 1e-8 * control_.historyInterval;
     return multipleAfter(clock.time, control_.historyInterval, tiny) - tiny;
 }
 

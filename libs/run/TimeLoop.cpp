@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/Format.h"
+#include "base/Machine.h"
 #include "case/LaterResults.h"
 #include "case/RunRecord.h"
 #include "io/FileError.h"
@@ -21,7 +22,6 @@
 #include "run/SignalWatch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace fpm {
@@ -33,17 +33,21 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::string clockText(double seconds)
-{
-    const long s = std::lround(std::clamp(seconds, 0.0, 3.6e8));
-    const auto two = [](long n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
-    return two(s / 3600) + ":" + two(s / 60 % 60) + ":" + two(s % 60);
-}
-
 /// The run's own counters, as a checkpoint that it goes on from stored them; empty without one.
 Archive storedRecord(const RunOptions& options)
 {
     return options.from ? Archive(options.from->record) : Archive();
+}
+
+/// A new one; or one that goes on, what was made after its checkpoint being set aside first.
+RunRecord recordOf(const OutputFolder& output,
+                   const RunOptions& options,
+                   const std::string& previousRun,
+                   Log& log)
+{
+    if (!options.from) return RunRecord(output, previousRun, log);
+    setLaterResultsAside(output, options.from->runId, options.from->time, log);
+    return RunRecord(output, options.from->runId, options.from->wallSeconds);
 }
 
 std::vector<HistoryMark> storedHistories(Archive& record)
@@ -70,8 +74,7 @@ public:
           log_(log),
           output_(root_, fullDiskPolicy()),
           stored_(storedRecord(options)),
-          record_(options.from ? RunRecord(output_, options.from->runId, options.from->wallSeconds)
-                               : RunRecord(output_, model.control.previousRun, log)),
+          record_(recordOf(output_, options, control_.previousRun, log)),
           frames_(solver, model, output_, record_.id()),
           health_(model, solver),
           edges_(model),
@@ -89,7 +92,7 @@ public:
             end(RunState::finished);
         } catch (const Error& error) {
             endAfter(error);
-            throw withWayOn(error);
+            throw withWayOn(error, checkpointStep_);
         }
         if (options_.strict && findings(verdicts_) > 0)
             throw Error(ExitCode::unhealthy, healthVerdict(verdicts_) + " (-strict)",
@@ -168,6 +171,9 @@ private:
         judge_.keep(archive);
         health_.keep(archive);
         edges_.keep(archive);
+        EarlierParts parts = archive.reads() ? EarlierParts{} : earlier_.with(solver_.times());
+        parts.keep(archive);
+        if (archive.reads()) earlier_ = parts;
         if (archive.reads() && !archive.atEnd())
             throw Error(ExitCode::checkpoint, "the record of the run is longer than it should be");
     }
@@ -244,7 +250,9 @@ private:
         out.runId = record_.id();
         out.time = clock_.time;
         out.steps = clock_.steps;
+        out.lastStep = clock_.step;
         out.wallSeconds = record_.wallSeconds();
+        out.cpuSeconds = (options_.from ? options_.from->cpuSeconds : 0) + processorSeconds();
         out.settled = clock_.settled != 0;
         out.inputs = options_.inputs;
         out.state = solver_.state();
@@ -291,19 +299,6 @@ private:
                            FrameWriter::failedFolder, failure.advice));
     }
 
-    /// An error that leaves the state in the last checkpoint good says how to go on.
-    Error withWayOn(const Error& error) const
-    {
-        const bool isOfMachine = error.code() == ExitCode::fileIo
-                                 || error.code() == ExitCode::deviceLost
-                                 || error.code() == ExitCode::memory;
-        if (!isOfMachine || checkpointStep_ < 0) return error;
-        return Error(error.code(), error.what(),
-                     error.advice() + (error.advice().empty() ? "" : "\n  = ")
-                         + format("'fpmExplicit -continue' goes on from the checkpoint at step {}",
-                                  checkpointStep_));
-    }
-
     void progress()
     {
         const double now = secondsSince(begin_);
@@ -311,15 +306,8 @@ private:
         nextLine_ = now + 1;
         record_.tell(healthStatus(health_.sampledRows()));
         record_.renew(clock_.time, clock_.steps, log_);
-        const double start = options_.from ? options_.from->time : 0,
-                     part = (clock_.time - start) / (control_.endTime - start);
-        const double rate =
-            double(clock_.steps - firstStep()) * double(model_.mesh.hexahedra.size()) / now;
-        log_.progress(format("{} %  time {}  dt {}  energy error {} %  {} M el-steps/s  ETA {}",
-                             toText(100 * clock_.time / control_.endTime, 3),
-                             toText(clock_.time, 4), toText(clock_.step, 3),
-                             toText(100 * energies_.balance, 2), toText(rate / 1e6, 3),
-                             clockText(part > 0 ? now * (1 - part) / part : 0)));
+        log_.progress(progressText(clock_, control_, options_.from, energies_.balance,
+                                   model_.mesh.hexahedra.size(), now));
     }
 
     void finish()
@@ -336,9 +324,9 @@ private:
                              stepLimit(solver_, model_)));
         verdicts_ = health_.rows(solver_, edges_);
         for (const std::string& line : healthLines(verdicts_)) log_.line(line);
-        writeHealth(root_, record_.id(), verdicts_);
+        writeHealth(output_, record_.id(), verdicts_);
         record_.tell(healthStatus(verdicts_));
-        reportPerformance(solver_, model_, root_, record_.id(), log_);
+        reportPerformance(solver_, model_, earlier_, output_, record_.id(), log_);
     }
 
     void end(RunState state) { record_.end(state, clock_.time, clock_.steps); }
@@ -354,7 +342,6 @@ private:
         }
     }
     double wall() const { return secondsSince(options_.begin); }
-    std::int64_t firstStep() const { return options_.from ? options_.from->steps : 0; }
 
     Solver& solver_;
     const Model& model_;
@@ -371,6 +358,7 @@ private:
     Health health_;
     EdgeWatch edges_;
     RunJudge judge_;
+    EarlierParts earlier_;
     Schedule schedule_;
     Checkpoints checkpoints_;
     ControlWatch watch_;
@@ -390,7 +378,6 @@ void runTimeLoop(Solver& solver,
                  const RunOptions& options,
                  Log& log)
 {
-    if (options.from) setLaterResultsAside(caseRoot, options.from->runId, options.from->time, log);
     TimeLoop(solver, model, caseRoot, options, log).run();
 }
 

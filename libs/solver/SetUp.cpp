@@ -46,7 +46,8 @@ void shareNodes(SolverSetUp& data)
             return !number.empty() && number[node] >= 0;
         };
         const bool acted = fixed || has(data.nodes.conditionStart) || has(data.nodes.pressureStart)
-                           || numbered(data.nodes.frameOf) || numbered(data.contact.numberOf);
+                           || numbered(data.nodes.frameOf) || numbered(data.contact.numberOf)
+                           || has(data.contact.surfaceStart);
         if ((interior[node] && !acted) || (fixed & bodyNode)) continue;
         fixed |= listedNode;
         data.nodes.listed.push_back(Index(node));

@@ -98,7 +98,7 @@ Bounds boundsOf(const Model& given)
     out.elementStep = clock.elementStep;
     out.withContact = clock.stableStep / clock.elementStep;
     if (clock.contactFrequency > 0)
-        out.quality = 0.5 / (clock.contactFrequency * clock.elementStep);
+        out.quality = Control{}.contactStepLimit / (clock.contactFrequency * clock.elementStep);
     return out;
 }
 

@@ -11,8 +11,8 @@ namespace fpm {
 struct Bounds {
     double elementStep = 0; ///< that bound [time]
     double withContact = 1; ///< 2 / sqrt(omega_e^2 + omega_c^2)
-    double quality = 0;     ///< omega_c dt <= 0.5: closing and opening contacts create no energy;
-                            ///< 0: no contact
+    double quality = 0;     ///< omega_c dt at the default of `contactLimit`, which bounds the
+                            ///< energy that a touch makes; 0: no contact
     double eigenvalue = 0;  ///< 2 / omega_max of all elements and closed springs; 0: not computed
     /// What a step must stay below: elements with contact, and quality where there is contact.
     double both() const { return quality > 0 ? std::min(withContact, quality) : withContact; }

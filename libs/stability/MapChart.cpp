@@ -105,7 +105,7 @@ std::array<LegendLine, 3> boundLines(const StabilityMap& map)
     if (const auto onset = onsetOfContact(map); onset && !onset->isBound())
         contact = format("from elements and contact, fails at {} of it", toText(onset->least, 3));
     return {{{&Bounds::withContact, contact, "#111827", "none"},
-             {&Bounds::quality, "omega_c dt = 0.5", "#111827", "6 4"},
+             {&Bounds::quality, "omega_c dt = 0.8", "#111827", "6 4"},
              {&Bounds::eigenvalue, "largest eigenvalue", "#c2185b", "2 3"}}};
 }
 

@@ -64,9 +64,9 @@ std::string boundText(const StabilityMap& map)
                               short3(contact->least), failureText(map, *contact));
     if (!(both->least > contact->least)) return text;
     if (both->isBound())
-        return text + format("; with omega_c dt <= 0.5 it is one: {} both", beginText(*both));
+        return text + format("; with omega_c dt <= 0.8 it is one: {} both", beginText(*both));
     return text
-           + format("; nor is it with omega_c dt <= 0.5: first failure at {} of both ({})",
+           + format("; nor is it with omega_c dt <= 0.8: first failure at {} of both ({})",
                     short3(both->least), failureText(map, *both));
 }
 

@@ -172,6 +172,7 @@ Trial compressedBillet(const Setting& set)
         pair.contactorNodes = nodesOf(model.mesh, sides);
         pair.surface = Index(model.rigidSurfaces.size()) - 1;
         pair.friction = 0.1;
+        pair.enforcement = Enforcement::penalty; // maps ask about springs
         model.mesh.contact.push_back({pair.name, pair.contactorNodes, sides, {}});
         model.contactPairs.push_back(pair);
     }

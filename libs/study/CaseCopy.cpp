@@ -1,6 +1,7 @@
 #include "study/CaseCopy.h"
 
 #include "base/Format.h"
+#include "case/CheckpointLabel.h"
 #include "case/Confinement.h"
 #include "case/LaterResults.h"
 #include "case/PreviousRun.h"
@@ -23,6 +24,8 @@ namespace {
 
 /// In every copy, so that nothing else is ever removed for one.
 constexpr const char* markFile = ".fpmCopy";
+constexpr const char* markText = "a copy of a case, made by a program and removed by it\n";
+constexpr const char* meshFile = "constant/mesh.vtkhdf";
 
 constexpr std::array runDictionaries{
     "constant/caseProperties", "constant/partProperties", "constant/boundaryConditions",
@@ -45,7 +48,7 @@ bool isInput(const fs::path& root, const fs::path& relative)
     if (name.starts_with('.')) return false;
     if (relative == previousFolder) return !isPreviousRun(root / relative);
     if (!relative.has_parent_path()) return !isResult(name);
-    if (relative == "constant/mesh.vtkhdf") return !fs::exists(root / "system/meshDict");
+    if (relative == meshFile) return !fs::exists(root / "system/meshDict");
     return relative != "0/fields.vtkhdf";
 }
 
@@ -90,6 +93,21 @@ std::vector<std::string> meshFiles(const Dictionary& meshDict)
     return files;
 }
 
+/// The canonical text of a controlDict but for entries that say how long the run goes on.
+std::string withoutLength(const std::string& text)
+{
+    std::istringstream lines(text);
+    std::string rest;
+    int depth = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const bool isLength =
+            depth == 0 && (line.starts_with("endTime ") || line.starts_with("title "));
+        if (!isLength) rest += line + "\n";
+        depth += int(line.ends_with('{')) - int(line.starts_with('}'));
+    }
+    return rest;
+}
+
 } // namespace
 
 bool isResult(const std::string& name)
@@ -105,7 +123,7 @@ OutputFolder makeCopyFolder(const OutputFolder& output, const std::string& folde
 {
     OutputFolder copy = output.inner(folder);
     if (!fs::is_empty(copy.path())) refuseStranger(copy.path());
-    copy.renew(markFile, "a copy of a case, made by a program and removed by it\n");
+    copy.renew(markFile, markText);
     return copy;
 }
 
@@ -145,25 +163,53 @@ void change(const Case& theCase, const OutputFolder& copy, const CaseChange& cha
     copy.write(edit.file.string(), edit.text);
 }
 
-std::string caseKey(const fs::path& root, bool withProbes)
+CaseKeys keysOf(const fs::path& root, bool withProbes)
 {
     const Case theCase(root);
-    Checksum sum;
-    std::vector<std::string> files(runDictionaries.begin(), runDictionaries.end());
-    if (withProbes) files.push_back("system/probeDict");
-    for (const auto& file : files) {
-        if (!theCase.hasFile(file)) continue;
+    Checksum whole, some;
+    const auto addBytes = [&](const std::string& bytes) { whole.add(bytes), some.add(bytes); };
+    const auto addFile = [&](const std::string& file, Checksum& sum, bool butItsLength) {
+        if (!theCase.hasFile(file)) return;
+        const std::string text = theCase.dictionary(file).canonicalText();
         sum.add(file);
-        sum.add(theCase.dictionary(file).canonicalText());
+        sum.add(butItsLength ? withoutLength(text) : text);
+    };
+    for (const char* file : runDictionaries) {
+        addFile(file, whole, false);
+        addFile(file, some, file == std::string_view("system/controlDict"));
     }
-    if (!theCase.hasFile("system/meshDict")) {
-        if (theCase.hasFile("constant/mesh.vtkhdf"))
-            sum.add(bytesOf(theCase.path("constant/mesh.vtkhdf")));
-        return sum.text();
+    if (withProbes) addFile("system/probeDict", whole, false);
+    if (theCase.hasFile("system/meshDict")) {
+        for (const auto& file : meshFiles(theCase.dictionary("system/meshDict")))
+            if (theCase.hasFile(file)) addBytes(bytesOf(theCase.inside(file)));
+    } else if (theCase.hasFile(meshFile)) {
+        addBytes(bytesOf(theCase.path(meshFile)));
     }
-    for (const auto& file : meshFiles(theCase.dictionary("system/meshDict")))
-        if (theCase.hasFile(file)) sum.add(bytesOf(theCase.inside(file)));
-    return sum.text();
+    return {whole.text(), some.text()};
+}
+
+void noteKey(const OutputFolder& copy, const std::string& key)
+{
+    copy.renew(markFile, format("{}of {}\n", markText, key));
+}
+
+std::string notedKey(const fs::path& copy)
+{
+    std::ifstream stream(copy / markFile);
+    std::string line, of, key;
+    std::getline(stream, line);
+    stream >> of >> key;
+    return of == "of" ? key : "";
+}
+
+void renewInputs(const fs::path& from, const OutputFolder& copy)
+{
+    for (fs::recursive_directory_iterator entry(from), end; entry != end; ++entry) {
+        const auto relative = entry->path().lexically_relative(from);
+        if (!isInput(from, relative) && entry->is_directory()) entry.disable_recursion_pending();
+        if (isInput(from, relative) && relative != meshFile && entry->is_regular_file())
+            copy.copy(entry->path(), relative.string());
+    }
 }
 
 void removeFields(const OutputFolder& copy)
@@ -179,7 +225,7 @@ void removeFields(const OutputFolder& copy)
     }
     for (const auto& name : series) copy.remove(name);
     for (const auto& name : times) removeTree(copy, name);
-    for (const char* name : {"0/fields.vtkhdf", "constant/mesh.vtkhdf"})
+    for (const char* name : {"0/fields.vtkhdf", meshFile})
         if (fs::exists(root / name) && (name[0] == '0' || fs::exists(root / "system/meshDict")))
             copy.remove(name);
 }

@@ -34,9 +34,20 @@ void copyCase(const Case& theCase, const OutputFolder& copy);
 /// Makes the change in a copy of the case. Throws InputError where the entry cannot be set.
 void change(const Case& theCase, const OutputFolder& copy, const CaseChange& change);
 
-/// Checksum of what a run of this case depends on: its dictionaries with all they include, comments
-/// and layout aside, and its mesh files. probeDict counts `withProbes` only.
-std::string caseKey(const std::filesystem::path& root, bool withProbes);
+/// Checksums of what a run of this case depends on: its dictionaries with all they include,
+/// comments and layout aside, and its mesh files.
+struct CaseKeys {
+    std::string whole;        ///< probeDict counts where fpmProbe runs too
+    std::string butItsLength; ///< without endTime, title and probeDict
+};
+CaseKeys keysOf(const std::filesystem::path& root, bool withProbes);
+
+/// Notes in its mark what a copy was made of, once it is complete; empty where a copy has no note.
+void noteKey(const OutputFolder& copy, const std::string& key);
+std::string notedKey(const std::filesystem::path& copy);
+
+/// Copies the dictionaries and files of `from` over those of a copy, but no mesh that a run uses.
+void renewInputs(const std::filesystem::path& from, const OutputFolder& copy);
 
 /// Removes frames and mesh, leaves dictionaries, logs and histories.
 void removeFields(const OutputFolder& copy);

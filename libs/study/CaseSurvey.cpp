@@ -119,10 +119,20 @@ void surveyParts(const Dictionary& parts, CaseSurvey& found)
     }
 }
 
-void surveyPairs(const Dictionary& pairs, CaseSurvey& found)
+/// Analytic surfaces have springs only where they are asked for.
+bool hasSprings(const Dictionary& pair, const Dictionary& surfaces)
 {
+    const std::string target = pair.wordOr("target", "");
+    return !surfaces.isDictionary(target) || !surfaces.sub(target).has("type")
+           || pair.wordOr("enforcement", "") == "penalty";
+}
+
+void surveyPairs(const Dictionary& contactDict, CaseSurvey& found)
+{
+    const Dictionary pairs = contactDict.subOrEmpty("pairs"),
+                     surfaces = contactDict.subOrEmpty("surfaces");
     for (const std::string& name : pairs.keys())
-        if (pairs.isDictionary(name))
+        if (pairs.isDictionary(name) && hasSprings(pairs.sub(name), surfaces))
             found.pairs.emplace_back(name, pairs.sub(name).numberOr("normalScale", 1));
 }
 
@@ -185,7 +195,7 @@ CaseSurvey surveyOf(const Case& theCase)
     CaseSurvey found;
     surveyBodies(dictionaryOrEmpty(theCase, "system/meshDict").subOrEmpty("bodies"), found);
     surveyParts(dictionaryOrEmpty(theCase, "constant/partProperties").subOrEmpty("parts"), found);
-    surveyPairs(dictionaryOrEmpty(theCase, "system/contactDict").subOrEmpty("pairs"), found);
+    surveyPairs(dictionaryOrEmpty(theCase, "system/contactDict"), found);
     surveyHistories(dictionaryOrEmpty(theCase, "system/controlDict").subOrEmpty("functions"),
                     mainAxis(theCase), found);
     return found;

@@ -23,7 +23,7 @@ struct CaseSurvey {
     /// where any may.
     std::vector<std::string> parts;
     bool plastic = false;
-    /// Contact pairs and their normalScale.
+    /// Contact pairs with springs and their normalScale.
     std::vector<std::pair<std::string, double>> pairs;
     /// Histories to chart: name, file, column.
     struct Column {

@@ -58,7 +58,7 @@ std::string stateOf(const std::string& program, const ProcessEnd& end, double ti
     if (end.succeeded()) return "ok";
     if (end.timedOut) return pastTimeLimit(program, timeLimit);
     if (end.signal != 0) return format("{}:signal{}", program, end.signal);
-    return format("{}:{}", program, end.exitCode);
+    return stateOf(program, ExitCode(end.exitCode));
 }
 
 } // namespace
@@ -81,23 +81,28 @@ Pipeline Pipeline::beside()
     return Pipeline(fs::read_symlink("/proc/self/exe").parent_path());
 }
 
-RunRow Pipeline::run(const fs::path& folder, bool tables, double timeLimit) const
+RunRow
+Pipeline::run(const fs::path& folder, bool tables, double timeLimit, const Continuation& from) const
 {
     RunRow row;
     row.host = hostName().empty() ? "-" : hostName();
-    double left = timeLimit;
+    double left = timeLimit - from.wallSeconds;
+    const bool hasMesh = from.goesOn && fs::exists(folder / "constant/mesh.vtkhdf");
     for (const std::string program : programs) {
+        if (hasMesh && (program == "fpmMesh" || program == "fpmSetContact")) continue;
         if (program == "fpmMesh" && !fs::exists(folder / "system/meshDict")) continue;
         if (program == "fpmSetContact" && !fs::exists(folder / "system/contactDict")) continue;
         if (program == "fpmProbe" && !tables) continue;
         std::vector<std::string> command{(bin_ / program).string(), "-noLog"};
         if (program == "fpmProbe") command.push_back("-tables");
+        if (program == "fpmExplicit" && from.goesOn) command.push_back("-continue");
         const auto log = folder / ("log." + program);
         const auto end = runProcess(command, folder, log, left);
         left -= end.wall;
         requireResult(program, end, log);
         if (program == "fpmExplicit") {
-            row.wall = rounded(end.wall), row.cpu = rounded(end.cpu);
+            row.wall = rounded(from.wallSeconds + end.wall);
+            row.cpu = rounded(from.cpuSeconds + end.cpu);
             row.memory = std::round(1e-6 * end.peakMemory);
             const auto told = readPerformance(folder).value_or(PerformanceRecord());
             row.elements = double(told.elements);

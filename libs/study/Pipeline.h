@@ -1,5 +1,6 @@
 #pragma once
 
+#include "study/Continuation.h"
 #include "study/RunTable.h"
 
 #include <filesystem>
@@ -22,11 +23,14 @@ public:
 
     /// fpmMesh, fpmSetContact and fpmExplicit, as far as `folder` has their dictionaries, then
     /// fpmProbe -tables if asked. A failing program ends the run and is its result, as is one that
-    /// still runs `timeLimit` seconds after the first was started. Throws Error for what is none:
-    /// interruption (stopped), a full disk (fileIo), a case in use (caseLocked).
+    /// still runs `timeLimit` seconds after the first was started. A run that goes on keeps the
+    /// mesh that is there, and what it took before is part of its times and of the limit. Throws
+    /// Error for what is none: interruption (stopped), a full disk (fileIo), a case in use
+    /// (caseLocked).
     RunRow run(const std::filesystem::path& folder,
                bool tables,
-               double timeLimit = std::numeric_limits<double>::infinity()) const;
+               double timeLimit = std::numeric_limits<double>::infinity(),
+               const Continuation& from = {}) const;
 
 private:
     std::filesystem::path bin_;

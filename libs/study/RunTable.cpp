@@ -1,6 +1,5 @@
 #include "study/RunTable.h"
 
-#include "base/Error.h"
 #include "base/Format.h"
 #include "dictionary/Number.h"
 
@@ -45,6 +44,11 @@ bool rowOf(const std::vector<std::string>& words, RunRow& row)
 }
 
 } // namespace
+
+std::string stateOf(const std::string& program, ExitCode code)
+{
+    return format("{}:{}", program, int(code));
+}
 
 std::string causeOf(const std::string& state)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Error.h"
 #include "io/OutputFolder.h"
 
 #include <string>
@@ -22,6 +23,8 @@ struct RunRow {
     bool succeeded() const { return state == "ok"; }
 };
 
+/// "fpmExplicit:10", of a program that ended with this code.
+std::string stateOf(const std::string& program, ExitCode code);
 /// "numerical stop of fpmExplicit" for "fpmExplicit:10".
 std::string causeOf(const std::string& state);
 

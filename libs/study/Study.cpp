@@ -3,6 +3,7 @@
 #include "base/ChildProcess.h"
 #include "base/Format.h"
 #include "case/CaseLock.h"
+#include "case/RunStatus.h"
 #include "io/Checksum.h"
 
 #include <algorithm>
@@ -52,15 +53,27 @@ Study::Study(Case theCase,
       table_(output_, folder_ + "/runs.dat")
 {
     for (std::size_t run = 0; run < runs_.size(); ++run) {
-        const Scratch scratch(output_, folder_ + "/runs/.trial");
+        const Scratch scratch(output_, trialFolder());
         makeCopy(run, scratch.folder);
-        Checksum sum;
-        sum.add(caseKey(output_.path(scratch.folder), settings_.tables));
-        sum.add(pipeline_.key());
-        keys_.push_back(sum.text());
+        const CaseKeys keys = keysOf(output_.path(scratch.folder), settings_.tables);
+        keys_.push_back(withPrograms(keys.whole));
+        keysButLength_.push_back(withPrograms(keys.butItsLength));
         first_.push_back(
             std::size_t(std::find(keys_.begin(), keys_.end(), keys_.back()) - keys_.begin()));
     }
+}
+
+std::string Study::trialFolder() const
+{
+    return folder_ + "/runs/.trial";
+}
+
+std::string Study::withPrograms(const std::string& key) const
+{
+    Checksum sum;
+    sum.add(key);
+    sum.add(pipeline_.key());
+    return sum.text();
 }
 
 void Study::makeCopy(std::size_t run, const std::string& folder) const
@@ -129,37 +142,79 @@ std::string Study::copyOf(std::size_t run, int repeat) const
     return folder_ + "/runs/" + runs_[run].name + (repeat == 1 ? "" : ".again");
 }
 
-void Study::prepare(std::size_t run, int repeat)
+/// Leaves a copy as it is to be run: from its start, or from what an earlier start has left there.
+Continuation Study::prepare(std::size_t run, int repeat, bool anew)
 {
     const std::string folder = copyOf(run, repeat);
     const fs::path path = output_.path(folder);
+    Continuation found;
     if (std::error_code error; fs::exists(fs::symlink_status(path, error))) {
         requireCopy(output_, folder);
         const CaseLock lock(path, "fpmChart"); // refuses while a stray run still works there
         if (repeat == 1) table_.removeRun(runs_[run].name);
+        if (!anew) found = goOnIn(run, repeat, folder);
+        if (found.goesOn) return found;
         removeCopy(output_, folder);
     }
     makeCopy(run, folder);
+    noteKey(output_.inner(folder), keysButLength_[run]);
+    return found;
+}
+
+Continuation Study::goOnIn(std::size_t run, int repeat, const std::string& folder) const
+{
+    const OutputFolder left = output_.inner(folder);
+    if (!fs::exists(left.path() / statusFile)) return {};
+    if (notedKey(left.path()) != keysButLength_[run])
+        return {.goesOn = false, .why = "its dictionaries, mesh or programs are others now"};
+    const Scratch wanted(output_, trialFolder());
+    makeCopy(run, wanted.folder);
+    const bool frames = (settings_.tables && repeat == 1) || settings_.keepFields;
+    Continuation found;
+    try {
+        found = continuationOf(left, output_.path(wanted.folder),
+                               frames ? Frames::needed : Frames::notNeeded);
+    } catch (const Error& error) {
+        found.why = std::string("what is left of it cannot be read: ") + error.what();
+    }
+    if (found.goesOn) renewInputs(output_.path(wanted.folder), left);
+    return found;
+}
+
+RunRow Study::made(std::size_t run, int repeat, const Continuation& from) const
+{
+    const double limit =
+        settings_.timeLimit > 0 ? settings_.timeLimit : std::numeric_limits<double>::infinity();
+    return pipeline_.run(output_.path(copyOf(run, repeat)), settings_.tables && repeat == 1, limit,
+                         from);
 }
 
 void Study::runOne(std::size_t run, int repeat, Log& log, std::size_t number)
 {
-    prepare(run, repeat);
-    const std::string folder = copyOf(run, repeat);
-    const fs::path copy = output_.path(folder);
-    const double limit =
-        settings_.timeLimit > 0 ? settings_.timeLimit : std::numeric_limits<double>::infinity();
-    auto row = pipeline_.run(copy, settings_.tables && repeat == 1, limit);
+    Continuation from = prepare(run, repeat, false);
+    const std::string& name = runs_[run].name;
+    if (from.goesOn)
+        log.line(format("      {} goes on from its checkpoint at time {}", name, from.time));
+    else if (!from.why.empty())
+        log.line(format("      {} begins again: {}", name, from.why));
+    auto row = made(run, repeat, from);
+    if (from.goesOn && row.state == stateOf("fpmExplicit", ExitCode::checkpoint)) {
+        log.line(format("      {} begins again: its checkpoints cannot be used", name));
+        from = prepare(run, repeat, true);
+        row = made(run, repeat, from);
+    }
     row.run = runs_[run].name, row.key = keys_[run], row.repeat = repeat;
+    const std::string folder = copyOf(run, repeat);
     if (repeat > 1)
         removeCopy(output_, folder);
     else if (!settings_.keepFields && row.succeeded())
         removeFields(output_.inner(folder));
     table_.add(row);
     const std::string again = repeat > 1 ? format(", repeat {}", repeat) : std::string();
-    log.line(format("  {} of {}: {}{}: {}", number, total(), row.run, again,
+    log.line(format("  {} of {}: {}{}: {}", number, total(), name, again,
                     row.succeeded() ? format("{} s", toText(row.wall, 3)) : causeOf(row.state)));
-    if (!row.succeeded()) log.line(format("      its logs are in {}", copy.string()));
+    if (!row.succeeded())
+        log.line(format("      its logs are in {}", output_.path(folder).string()));
 }
 
 void Study::run(Log& log)

@@ -2,6 +2,7 @@
 
 #include "base/Log.h"
 #include "study/CaseCopy.h"
+#include "study/Continuation.h"
 #include "study/Pipeline.h"
 
 #include <filesystem>
@@ -26,7 +27,9 @@ struct StudySettings {
 
 /// A case run in many variations, each in a copy under <folder>/runs of it. <folder>/runs.dat says
 /// which are finished, by the content of their dictionaries: a later start goes on where one was
-/// stopped, and repeats what has changed only. Variations of equal content are run once.
+/// stopped, and repeats what has changed only. Variations of equal content are run once. A run that
+/// was stopped, or has another endTime now, goes on from its checkpoint where that gives the same
+/// bits as a run from the start.
 class Study
 {
 public:
@@ -57,7 +60,11 @@ private:
     const RunRow* finished(std::size_t run, int repeat) const;
     bool isDue(std::size_t run, int repeat) const;
     std::string copyOf(std::size_t run, int repeat) const;
-    void prepare(std::size_t run, int repeat);
+    std::string trialFolder() const;
+    std::string withPrograms(const std::string& key) const;
+    Continuation prepare(std::size_t run, int repeat, bool anew);
+    Continuation goOnIn(std::size_t run, int repeat, const std::string& folder) const;
+    RunRow made(std::size_t run, int repeat, const Continuation& from) const;
     void makeCopy(std::size_t run, const std::string& folder) const;
     void runOne(std::size_t run, int repeat, Log& log, std::size_t number);
 
@@ -65,7 +72,7 @@ private:
     OutputFolder output_; ///< of the case
     std::string folder_;  ///< within it
     std::vector<StudyRun> runs_;
-    std::vector<std::string> keys_;
+    std::vector<std::string> keys_, keysButLength_;
     std::vector<std::size_t> first_; ///< the first variation of the same content
     StudySettings settings_;
     const Pipeline& pipeline_;

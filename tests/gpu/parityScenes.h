@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/PartMaterial.h"
-#include "unit/solver/kindScenes.h"
+#include "unit/solver/edgeScenes.h"
 
 #include <cmath>
 #include <string>
@@ -112,6 +112,7 @@ inline void addContacts(std::vector<Scene>& scenes)
     const std::vector<ElementSide> sides = skin(fold.mesh, 0);
     addContact(fold, "own", sides, sides).kind = ContactKind::self;
     scenes.push_back({"self-contact", fold});
+    scenes.push_back({"edges that slide", slidingRoofs()});
     for (Part& part : paper.parts) part.rotation = RotationForm::arcsine;
     paper.control.midStepStrain = false;
     ContactPair& pair = paper.contactPairs[0];
@@ -132,7 +133,7 @@ inline void addContacts(std::vector<Scene>& scenes)
 }
 
 /// Plane, cylinder and sphere in place of the lower block.
-inline void addSurfaces(std::vector<Scene>& scenes)
+inline void addSurfaces(std::vector<Scene>& scenes, Enforcement enforcement)
 {
     using Kind = RigidSurface::Kind;
     for (const auto& [name, kind] :
@@ -143,6 +144,7 @@ inline void addSurfaces(std::vector<Scene>& scenes)
         model.contactPairs.clear();
         addContact(model, name, facing(model.mesh, "upper", {0, 0, -1}), {}).surface = 0;
         model.contactPairs[0].friction = 0.2;
+        model.contactPairs[0].enforcement = enforcement;
         RigidSurface surface;
         surface.name = name;
         surface.kind = kind;
@@ -156,7 +158,8 @@ inline void addSurfaces(std::vector<Scene>& scenes)
             surface.amplitude = {Amplitude::Kind::table, {{0, 1}, {1e-5, 0.5}}};
         }
         model.rigidSurfaces.push_back(surface);
-        scenes.push_back({name, model});
+        const bool exact = enforcement == Enforcement::kinematic;
+        scenes.push_back({std::string(name) + (exact ? ", met exactly" : ", springs"), model});
     }
 }
 
@@ -277,7 +280,8 @@ inline std::vector<Scene> scenes()
     std::vector<Scene> all;
     addElements(all);
     addContacts(all);
-    addSurfaces(all);
+    addSurfaces(all, Enforcement::kinematic);
+    addSurfaces(all, Enforcement::penalty);
     addMotions(all);
     addLargeStrain(all);
     return all;

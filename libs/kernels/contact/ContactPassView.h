@@ -25,6 +25,9 @@ FPM_KERNEL constexpr Index mirrorEdge(Index k)
     return noEdge - 1 - k;
 }
 
+/// Planes beyond which a contactor meets images of faces, at most.
+inline constexpr Index mostMirrors = 3;
+
 /// Counters of a pass: events of contactors that a user should know.
 enum PassCount {
     countReleased, ///< released: deeper than the target is thick
@@ -146,6 +149,20 @@ struct ContactPassView {
     FPM_KERNEL Vec3<Work> mirror(Index k) const
     {
         return {mirrorNormal[3 * k], mirrorNormal[3 * k + 1], mirrorNormal[3 * k + 2]};
+    }
+    /// Image of a vector in the planes of a set, one bit each, taken in their order; its inverse
+    /// takes them in the reverse order.
+    FPM_KERNEL Vec3<Work> mirrored(Index planes, Vec3<Work> v) const
+    {
+        for (Index k = 0; planes >> k; ++k)
+            if (planes >> k & 1) v = multiplyAdd(Work(-2) * dot(v, mirror(k)), mirror(k), v);
+        return v;
+    }
+    FPM_KERNEL Vec3<Work> mirroredBack(Index planes, Vec3<Work> v) const
+    {
+        for (Index k = mostMirrors - 1; k >= 0; --k)
+            if (planes >> k & 1) v = multiplyAdd(Work(-2) * dot(v, mirror(k)), mirror(k), v);
+        return v;
     }
     FPM_KERNEL Index mirrorsOf(Index i) const { return mirrors ? mirrors[i] : 0; }
     /// Calls visit(face) for the faces around a corner of a face, ascending, until it returns

@@ -1,37 +1,17 @@
 #pragma once
 
-#include "kernels/BlockSum.h"
 #include "kernels/contact/distribute/ForceSum.h"
+#include "kernels/contact/law/KinematicContact.h"
 #include "kernels/particle/Amplitude.h"
 #include "kernels/particle/InteriorNodes.h"
-#include "parallel/LaunchSizes.h"
+#include "kernels/particle/NodeBooks.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
 
-/// Works done on the nodes, trapezoidal in time: half with the increment that led to the positions
-/// (known now), half with the next one. Order of the sums in NodeMotion::blockWork.
-enum NodeWork {
-    internalBefore,
-    internalAfter,
-    contactBefore,
-    contactAfter,
-    externalBefore,
-    externalAfter,
-    driveBefore,
-    driveAfter,
-    damping,
-    nodeWorks
-};
-
-constexpr std::size_t nodeScratch()
-{
-    return nodeWorks * nodeBlock * sizeof(double) + blockSumScratch(nodeWorks);
-}
-
 /// Equation of motion of a node, eq. (1) of the paper: sums its forces in one fixed order (element
 /// partial sums in patch order, contact, loads, mass damping, constraints) and advances it by one
-/// step, eq. (3).
+/// step, eq. (3); a NodeMotionOnSurfaces corrects the step where analytic surfaces are in the way.
 template <class Numbers>
 struct NodeMotion {
     using Position = typename Numbers::Position;
@@ -54,6 +34,7 @@ struct NodeMotion {
     const Index* contactNode;         ///< number among the contact nodes, -1; null without contact
     const std::int64_t* contactForce; ///< fixed point, [contact node][4]
     ForceScale contactScale;
+    KinematicContact surfaces;
     const Index* conditionStart; ///< uses of a node: CSR; null without conditions
     const ConditionUse* uses;
     const Condition* conditions;
@@ -73,6 +54,12 @@ struct NodeMotion {
     template <class Team>
     FPM_KERNEL void operator()(const Team& team, Index block) const
     {
+        advanceBlock<false>(team, block);
+    }
+
+    template <bool onSurfaces, class Team>
+    FPM_KERNEL void advanceBlock(const Team& team, Index block) const
+    {
         if (!clock->running) return;
         double* values = reinterpret_cast<double*>(team.scratch());
         double* partial = values + nodeWorks * nodeBlock;
@@ -80,7 +67,7 @@ struct NodeMotion {
         const Index count = nodeCount - first < nodeBlock ? nodeCount - first : nodeBlock;
         if constexpr (Team::oneThread)
             for (Index i = 0; i < count; ++i) askForForces(nodeOf(first + i));
-        team.forEach(count, [&](Index i) { advance(nodeOf(first + i), values + i); });
+        team.forEach(count, [&](Index i) { advance<onSurfaces>(nodeOf(first + i), values + i); });
         if (!ledger) return;
         team.barrier();
         blockSums(team, nodeWorks, count, values, nodeBlock, partial);
@@ -118,6 +105,7 @@ struct NodeMotion {
         }
         return sum;
     }
+    /// Force of the contact springs.
     FPM_KERNEL Vec3<Motion> contact(std::size_t node) const
     {
         if (!contactNode || contactNode[node] < 0) return {0, 0, 0};
@@ -155,6 +143,19 @@ struct NodeMotion {
                           pressureForce[2 * pressureStride + slot]};
             }
         return total;
+    }
+
+    /// Force of the analytic surfaces that are met exactly, at the time of the positions: that of
+    /// the step that follows, should it be as long as the last one.
+    FPM_KERNEL Vec3<Motion> reaction(std::size_t node,
+                                     SurfaceBooks books = SurfaceBooks::none) const
+    {
+        if (!surfaces.acts(node) || !(clock->step > 0)) return {0, 0, 0};
+        const LeapFrogStep next{clock->time + clock->step, clock->step, clock->step};
+        const Forces forces = forcesOn(node, clock->time);
+        const Vec3<Motion> old = velocityOf(node);
+        Vec3<Motion> speed = predicted(node, forces, old, next).velocity;
+        return corrected(node, old, next, books, speed);
     }
 
     /// True when component c of the node's motion, in its axes, is fixed or prescribed.
@@ -219,37 +220,125 @@ private:
                 {Real(m[6]), Real(m[7]), Real(m[8])}};
     }
 
-    /// Velocity prescribed for component c over the next step, if any.
-    FPM_KERNEL bool driven(std::size_t node, int c, Motion& v) const
+    struct Forces {
+        Vec3<Motion> internal, contact, load;
+    };
+    FPM_KERNEL Forces forcesOn(std::size_t node, double time) const
+    {
+        return {internalForce(node), contact(node), load(node, time)};
+    }
+
+    /// Velocity prescribed for component c over a step, if any.
+    FPM_KERNEL bool driven(std::size_t node, int c, const LeapFrogStep& step, Motion& v) const
     {
         if (!conditionStart) return false;
         for (Index k = conditionStart[node]; k < conditionStart[node + 1]; ++k) {
             if (uses[k].axis != c) continue;
             v = Motion(drivenVelocity(conditions[uses[k].condition], uses[k], amplitudeRows,
-                                      clock->time, clock->step));
+                                      step.end, step.length));
             return true;
         }
         return false;
     }
 
+    struct Prediction {
+        Vec3<Motion> velocity; ///< at mid-step
+        Vec3<Motion> own;      ///< the same in the node's axes
+        bool imposed[3];       ///< components there: held or prescribed
+    };
+    /// The step without surfaces.
+    FPM_KERNEL Prediction predicted(std::size_t node,
+                                    Forces forces,
+                                    Vec3<Motion> old,
+                                    const LeapFrogStep& step) const
+    {
+        if (toOwnAxes(node, old)) {
+            toOwnAxes(node, forces.internal);
+            toOwnAxes(node, forces.contact);
+            toOwnAxes(node, forces.load);
+        }
+        const Motion in[3] = {forces.internal.x, forces.internal.y, forces.internal.z},
+                     ct[3] = {forces.contact.x, forces.contact.y, forces.contact.z},
+                     ex[3] = {forces.load.x, forces.load.y, forces.load.z},
+                     v[3] = {old.x, old.y, old.z};
+        Motion next[3];
+        Prediction out;
+        for (int c = 0; c < 3; ++c) {
+            next[c] = leapFrogVelocity(v[c], ex[c] - in[c] + ct[c], inverseMass[node],
+                                       Motion(step.mean), dampingRate());
+            Motion prescribed = 0;
+            const bool held = fixed[node] & heldComponent(c);
+            out.imposed[c] = held || driven(node, c, step, prescribed);
+            if (out.imposed[c]) next[c] = prescribed;
+        }
+        out.velocity = out.own = {next[0], next[1], next[2]};
+        fromOwnAxes(node, out.velocity);
+        return out;
+    }
+
+    FPM_KERNEL FreeDirections freeDirections(std::size_t node) const
+    {
+        const double one[3] = {imposed(node, 0) ? 0.0 : 1.0, imposed(node, 1) ? 0.0 : 1.0,
+                               imposed(node, 2) ? 0.0 : 1.0};
+        FreeDirections out{one[0] * one[1] * one[2] > 0,
+                           {{one[0], 0, 0}, {0, one[1], 0}, {0, 0, one[2]}}};
+        if (!out.all && frameOf && frameOf[node] >= 0) {
+            const Mat3<double> axes = ownAxes<double>(node);
+            out.projection = transpose(axes) * (out.projection * axes);
+        }
+        return out;
+    }
+
+    /// Corrects a predicted velocity where surfaces are in the way; returns their force.
+    FPM_KERNEL Vec3<Motion> corrected(std::size_t node,
+                                      const Vec3<Motion>& old,
+                                      const LeapFrogStep& step,
+                                      SurfaceBooks books,
+                                      Vec3<Motion>& speed) const
+    {
+        const double inverse = double(inverseMass[node]), xi = double(dampingRate());
+        if (!(inverse > 0)) return {0, 0, 0};
+        const Vec3<double> without = step.length * inDoubles(speed);
+        SurfaceStep of{.place = place(node),
+                       .velocity = inDoubles(old),
+                       .increment = without,
+                       .start = step.end - step.length,
+                       .previous = step.previous(),
+                       .length = step.length,
+                       .mean = step.mean,
+                       .stiffness =
+                           (1 + 0.5 * xi * step.mean) / (inverse * step.mean * step.length),
+                       .free = freeDirections(node)};
+        const Vec3<double> force = surfaces.correct(node, of, books),
+                           change = (1 / step.length) * (of.increment - without);
+        speed += {Motion(change.x), Motion(change.y), Motion(change.z)};
+        return {Motion(force.x), Motion(force.y), Motion(force.z)};
+    }
+    FPM_KERNEL static Vec3<double> inDoubles(const Vec3<Motion>& v)
+    {
+        return {double(v.x), double(v.y), double(v.z)};
+    }
+
+    template <bool onSurfaces>
     FPM_KERNEL void advance(Index number, double* work) const
     {
         const std::size_t node = std::size_t(number);
         if (ledger)
             for (int k = 0; k < nodeWorks; ++k) work[k * nodeBlock] = 0;
         if (fixed[node] & bodyNode) return;
-        Vec3<Motion> internal = internalForce(node), touch = contact(node),
-                     outer = load(node, clock->time - clock->step), old = velocityOf(node);
-        if (toOwnAxes(node, old)) {
-            toOwnAxes(node, internal);
-            toOwnAxes(node, touch);
-            toOwnAxes(node, outer);
-        }
-        Vec3<Motion> next{component(node, 0, internal.x, touch.x, outer.x, old.x, work),
-                          component(node, 1, internal.y, touch.y, outer.y, old.y, work),
-                          component(node, 2, internal.z, touch.z, outer.z, old.z, work)};
-        fromOwnAxes(node, next);
-        const Motion dt = Motion(clock->step), v[3] = {next.x, next.y, next.z};
+        const LeapFrogStep step{clock->time, clock->step, clock->mean};
+        Forces forces = forcesOn(node, clock->time - clock->step);
+        const Vec3<Motion> old = velocityOf(node);
+        Prediction next = predicted(node, forces, old, step);
+        if constexpr (onSurfaces)
+            if (surfaces.acts(node)) {
+                forces.contact += corrected(node, old, step, SurfaceBooks::running, next.velocity);
+                next.own = next.velocity;
+                toOwnAxes(node, next.own);
+            }
+        if (ledger) book(node, forces, old, next, step, work);
+        const Motion dt = Motion(clock->step),
+                     v[3] = {next.velocity.x, next.velocity.y, next.velocity.z};
         for (int c = 0; c < 3; ++c) {
             const std::size_t at = c * nodeStride + node;
             velocity[at] = v[c];
@@ -257,37 +346,26 @@ private:
         }
     }
 
-    /// Next velocity of one component in the node's axes; accounts for its works.
-    FPM_KERNEL Motion component(
-        std::size_t node, int c, Motion in, Motion ct, Motion ex, Motion old, double* work) const
+    /// Accounts for the works of a step in the node's axes.
+    FPM_KERNEL void book(std::size_t node,
+                         Forces forces,
+                         Vec3<Motion> old,
+                         const Prediction& next,
+                         const LeapFrogStep& step,
+                         double* work) const
     {
-        const Motion h = Motion(clock->mean), inverse = inverseMass[node], force = ex - in + ct;
-        const Motion xi = dampingRate();
-        Motion v = leapFrogVelocity(old, force, inverse, h, xi);
-        Motion imposed = 0;
-        const bool held = fixed[node] & heldComponent(c);
-        const bool drives = !held && driven(node, c, imposed);
-        if (held || drives) v = imposed;
-        if (!ledger) return v;
-        const Motion previous = Motion(2 * clock->mean - clock->step); // the step before
-        const double before = 0.5 * double(previous) * double(old),
-                     after = 0.5 * double(Motion(clock->step)) * double(v);
-        work[internalBefore * nodeBlock] -= double(in) * before;
-        work[internalAfter * nodeBlock] -= double(in) * after;
-        work[contactBefore * nodeBlock] += double(ct) * before;
-        work[contactAfter * nodeBlock] += double(ct) * after;
-        work[externalBefore * nodeBlock] += double(ex) * before;
-        work[externalAfter * nodeBlock] += double(ex) * after;
-        const double mean = 0.5 * (double(old) + double(v));
-        const double mass = inverse > 0 ? 1 / double(inverse) : 0;
-        work[damping * nodeBlock] += double(h) * double(xi) * mass * mean * mean;
-        if (!held && !drives) return v;
-        // Reaction of the prescribed motion: R of m dv/dt = F - xi m v + R.
-        const double reaction =
-            (double(v) - double(old)) * mass / double(h) - double(force) + double(xi) * mass * mean;
-        work[driveBefore * nodeBlock] += reaction * before;
-        work[driveAfter * nodeBlock] += reaction * after;
-        return v;
+        if (toOwnAxes(node, old)) {
+            toOwnAxes(node, forces.internal);
+            toOwnAxes(node, forces.contact);
+            toOwnAxes(node, forces.load);
+        }
+        const NodeBooks<Motion> books{step, inverseMass[node], dampingRate(), work};
+        books.add(forces.internal.x, forces.contact.x, forces.load.x, old.x, next.own.x,
+                  next.imposed[0]);
+        books.add(forces.internal.y, forces.contact.y, forces.load.y, old.y, next.own.y,
+                  next.imposed[1]);
+        books.add(forces.internal.z, forces.contact.z, forces.load.z, old.z, next.own.z,
+                  next.imposed[2]);
     }
 };
 

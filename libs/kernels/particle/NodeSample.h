@@ -22,7 +22,7 @@ struct NodeSample {
     {
         const std::size_t node = std::size_t(list ? list[i] : i), planes = std::size_t(count);
         const auto internal = nodeMotion.internalForce(node);
-        const auto contact = nodeMotion.contact(node);
+        const auto contact = nodeMotion.contact(node) + nodeMotion.reaction(node);
         const auto load = nodeMotion.load(node, nodeMotion.clock->time);
         const double force[3] = {double(load.x) - double(internal.x) + double(contact.x),
                                  double(load.y) - double(internal.y) + double(contact.y),
@@ -70,11 +70,13 @@ private:
 };
 
 /// Sums over a block of nodes: 1/2 m v^(n-1/2) . v^(n+1/2), the kinetic energy that matches the
-/// internal energy at t^n (exact for constant step), and the half work F^n . dx^n / 2 of loads and
+/// internal energy at t^n (exact for constant step; without the damping of t^n, whose work the next
+/// step books as a whole), and the half work F^n . dx^n / 2 of loads and
 /// prescribed motion that the energy balance does not yet contain at t^n.
 template <class Numbers>
 struct KineticEnergy {
     NodeMotion<Numbers> nodeMotion;
+    bool reactions;      ///< of analytic surfaces that are met exactly count too
     double* blockEnergy; ///< [block][2]
 
     template <class Team>
@@ -101,7 +103,8 @@ private:
         out[0] = out[nodeBlock] = 0;
         if (nodeMotion.fixed[node] & bodyNode) return;
         const auto internal = nodeMotion.internalForce(node);
-        const auto contact = nodeMotion.contact(node);
+        auto contact = nodeMotion.contact(node);
+        if (reactions) contact += nodeMotion.reaction(node);
         const auto load = nodeMotion.load(node, nodeMotion.clock->time);
         Vec3<Motion> outer = load, inner = contact - internal, old = nodeMotion.velocityOf(node);
         if (nodeMotion.toOwnAxes(node, old)) {
@@ -114,7 +117,7 @@ private:
         const double inverse = double(nodeMotion.inverseMass[node]), dt = nodeMotion.clock->step;
         double kinetic = 0, closing = 0;
         for (int c = 0; c < 3; ++c) {
-            double a = (ex[c] + in[c]) * inverse - double(nodeMotion.dampingRate()) * v[c];
+            double a = (ex[c] + in[c]) * inverse;
             double booked = ex[c];
             if (nodeMotion.imposed(node, c)) {
                 a = 0;

@@ -51,7 +51,8 @@ struct RelaxationNodes {
 private:
     FPM_KERNEL void measure(std::size_t node, double* out) const
     {
-        const auto internal = nodeMotion.internalForce(node), contact = nodeMotion.contact(node),
+        const auto internal = nodeMotion.internalForce(node),
+                   contact = nodeMotion.contact(node) + nodeMotion.reaction(node),
                    load = nodeMotion.load(node, nodeMotion.clock->time),
                    motion = nodeMotion.velocityOf(node);
         const Vec3<double> in{double(internal.x), double(internal.y), double(internal.z)};

@@ -150,10 +150,10 @@ FPM_KERNEL BodyAcceleration accelerationOf(const RigidBody& body,
 }
 
 /// Kinetic energy and closing half work at the time of the positions, as KineticEnergy has them.
-FPM_KERNEL BodyEnergy bodyEnergy(const RigidBody& body, double step, double damping)
+FPM_KERNEL BodyEnergy bodyEnergy(const RigidBody& body, double step)
 {
     Vec3<double> velocity, momentum;
-    kicked(body, step, damping, velocity, momentum);
+    kicked(body, step, 0, velocity, momentum);
     const Vec3<double> spin = spinOf(body, body.momentum);
     return {0.5 * (body.mass * dot(body.velocity, velocity) + dot(spin, momentum)),
             0.5 * step * (dot(body.outer.force, body.velocity) + dot(body.outer.moment, spin))};

@@ -49,8 +49,7 @@ struct StepClock {
 /// Rules of the step size, fixed for a run.
 struct StepRules {
     double safety = 0.9;       ///< of 2 / sqrt(omega_e^2 + omega_c^2)
-    double contactLimit = 0.5; ///< omega_c dt, so that closing and opening contacts create no
-                               ///< energy
+    double contactLimit = 0.8; ///< omega_c dt: bounds the energy that one touch makes
     double maximumStep = 0;    ///< > 0: no step is longer
     double fixedStep = 0;      ///< > 0: this step
     bool beyondBound = false;  ///< fixedStep may exceed the bound

@@ -1,6 +1,7 @@
 #include "solver/contact/ContactFields.h"
 
 #include "kernels/contact/lists/ReferenceDisplacement.h"
+#include "solver/contact/Penalties.h"
 
 namespace fpm {
 
@@ -12,6 +13,29 @@ ContactFields::ContactFields(const ContactSetUp& setUp,
     renewNodes(setUp);
     for (const ContactPassSetup& pass : setUp.passes)
         passes.push_back(std::make_unique<PassFields>(pass, memory, numbers));
+    bindSurfaces(setUp);
+}
+
+void ContactFields::bindSurfaces(const ContactSetUp& setUp)
+{
+    surfaceStart.assign(setUp.surfaceStart);
+    surfaceUses.assign(setUp.surfaceUses);
+    if (setUp.surfaceStart.empty()) return;
+    std::vector<KinematicPass> views(passes.size());
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const ContactPassSetup& pass = setUp.passes[i];
+        if (!pass.kinematic) continue;
+        PassFields& f = *passes[i];
+        views[i] = {.count = Index(f.contactor.size()),
+                    .shape = setUp.surfaces[std::size_t(pass.surface)],
+                    .friction = frictionLaw<double>(pass.law),
+                    .push = pushOut * pass.meanFaceSize,
+                    .dissipated = f.dissipated.data(),
+                    .impact = f.damped.data(),
+                    .work = f.surfaceWork.data(),
+                    .reading = f.reading.data()};
+    }
+    kinematicPasses.assign(views);
 }
 
 void ContactFields::renewNodes(const ContactSetUp& setUp)

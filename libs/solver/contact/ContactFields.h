@@ -14,6 +14,8 @@ struct ContactFields : FieldSet {
     void renewNodes(const ContactSetUp& setUp);
     /// Lists of all passes that search faces; new ones.
     void renewLists(const NearBlocks& near);
+    /// What kernels know of the passes that are kinematic; after any pass is made anew.
+    void bindSurfaces(const ContactSetUp& setUp);
     /// Blocks of contact nodes.
     std::size_t blocks() const { return bound.size(); }
 
@@ -27,6 +29,11 @@ struct ContactFields : FieldSet {
                                         {"referenceDisplacement", Location::block, Role::scratch}};
     Field<double> referenceOrigin{*this, {"referenceOrigin", Location::block, Role::state}};
     Field<float> referenceOffset{*this, {"referenceOffset", Location::contactNode, Role::state}};
+    /// See KinematicContact.
+    Field<Index> surfaceStart{*this, {"surfaceStart", Location::table, Role::derived}};
+    Field<SurfaceUse> surfaceUses{*this, {"surfaceUses", Location::table, Role::derived}};
+    Field<KinematicPass> kinematicPasses{*this,
+                                         {"kinematicPasses", Location::table, Role::derived}};
     Field<PassListState> lists{*this, {"lists", Location::table, Role::state}};
 
     std::vector<std::unique_ptr<PassFields>> passes;

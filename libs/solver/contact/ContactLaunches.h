@@ -32,6 +32,11 @@ struct LaunchContext;
 template <class Numbers, class Executor>
 std::unique_ptr<ContactLaunches> makeContactLaunches(const LaunchContext<Executor>& context);
 
+/// Kernels of a pass of sharp edges; likewise.
+enum class EdgeLaunch { forces, measureOverlaps, status };
+template <class Numbers, class Executor>
+void launchEdges(const LaunchContext<Executor>& on, std::size_t pass, EdgeLaunch what);
+
 /// Forces of contactors on faces in one pass; likewise, since these are the largest kernels.
 template <class Numbers, bool friction, class Executor>
 void launchFaceForces(const LaunchContext<Executor>& on, std::size_t pass);

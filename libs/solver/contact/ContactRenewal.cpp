@@ -42,6 +42,7 @@ bool ContactRenewal::follow(const std::vector<bool>& deleted)
     for (std::size_t pass = 0; pass < passes.size(); ++pass)
         renewPass(pass, compared(passes[pass], setUp_.contact.passes[pass]), scale);
     renewNodes(numbers, scale);
+    fields_.contact.bindSurfaces(setUp_.contact);
     renewMovers();
     return true;
 }
@@ -54,6 +55,7 @@ bool ContactRenewal::rebuild(const std::vector<bool>& deleted)
         contact.passes[pass] = std::make_unique<PassFields>(setUp_.contact.passes[pass],
                                                             contact.memory(), contact.numbers());
     contact.renewNodes(setUp_.contact);
+    contact.bindSurfaces(setUp_.contact);
     renewMovers();
     return true;
 }

@@ -3,6 +3,7 @@
 #include "kernels/contact/ContactPassView.h"
 #include "mesh/Quality.h"
 #include "mesh/Surface.h"
+#include "solver/contact/EdgeSetUp.h"
 #include "solver/contact/MirrorPlanes.h"
 #include "solver/contact/Penalties.h"
 #include "solver/elements/ModelSizes.h"
@@ -178,7 +179,7 @@ ContactPassSetup makePass(const SolverSetUp& data,
     return out;
 }
 
-/// The passes of a pair: one, or two.
+/// The passes of a pair: one, or two, and that of the edges.
 void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
 {
     const ContactPair& pair = model.contactPairs[number];
@@ -190,10 +191,33 @@ void addPasses(SolverSetUp& data, const Model& model, std::size_t number)
     }
     data.contact.passes.push_back(makePass(data, model, pair, own, pair.targetSides));
     data.contact.passes.back().pair = number;
-    if (pair.passes < 2) return;
-    data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own));
-    data.contact.passes.back().pair = number;
-    data.contact.passes.back().reversed = true;
+    if (pair.passes == 2) {
+        data.contact.passes.push_back(makePass(data, model, pair, pair.targetSides, own));
+        data.contact.passes.back().pair = number;
+        data.contact.passes.back().reversed = true;
+    }
+    if (pair.edges) addEdgePass(data, model, number, own);
+}
+
+/// Which kinematic passes a node is a contactor of, in their order.
+void addSurfaceUses(SolverSetUp& data)
+{
+    ContactSetUp& contact = data.contact;
+    contact.surfaceStart.clear();
+    contact.surfaceUses.clear();
+    std::map<Index, std::vector<SurfaceUse>> uses;
+    for (std::size_t pass = 0; pass < contact.passes.size(); ++pass)
+        for (std::size_t i = 0;
+             contact.passes[pass].kinematic && i < contact.passes[pass].contactor.size(); ++i)
+            uses[contact.passes[pass].contactor[i]].push_back({Index(pass), Index(i)});
+    if (uses.empty()) return;
+    contact.surfaceStart.push_back(0);
+    for (Index node = 0; node < data.nodes.count; ++node) {
+        if (const auto found = uses.find(node); found != uses.end())
+            contact.surfaceUses.insert(contact.surfaceUses.end(), found->second.begin(),
+                                       found->second.end());
+        contact.surfaceStart.push_back(Index(contact.surfaceUses.size()));
+    }
 }
 
 /// Power of two that takes sums of values up to `most` to below `room`.
@@ -214,6 +238,7 @@ void addContact(SolverSetUp& data, const Model& model)
     for (std::size_t pair = 0; pair < model.contactPairs.size(); ++pair)
         addPasses(data, model, pair);
     for (const ContactPassSetup& made : data.contact.passes) {
+        if (made.kinematic) continue; // without springs
         contactors += made.contactor.size();
         const double stiffness = fpm::largestStiffness(made);
         double depth = made.deepest;
@@ -235,6 +260,7 @@ void addContact(SolverSetUp& data, const Model& model)
         const std::size_t node = std::size_t(data.contact.nodes[i]);
         data.contact.numberOf[node] = Index(i);
     }
+    addSurfaceUses(data);
     // Were every contactor on one node, with the largest force, the sum would stay below 2^62.
     const double room = std::exp2(61 - std::ceil(std::log2(double(contactors + 1))));
     data.contact.scale.toFixed = scaleFor(room, largestForce);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "kernels/contact/law/KinematicContact.h"
 #include "kernels/contact/law/RigidSurface.h"
 #include "model/Model.h"
+
+#include <array>
 
 namespace fpm {
 
@@ -12,7 +15,8 @@ struct ContactPassSetup {
     ContactSearch search = ContactSearch::faces;
     ContactProjection projection = ContactProjection::tracked;
     ContactLaw law;
-    Index surface = -1;      ///< analytic target, in SolverSetUp::surfaces; it has no faces
+    Index surface = -1;      ///< analytic target, in ContactSetUp::surfaces; it has no faces,
+    bool kinematic = false;  ///< and is met exactly, without springs
     double deepest = 0;      ///< depth at which the force on an analytic surface grows no more
     double meanFaceSize = 0; ///< square root of the mean target face area
     double reach = 0;        ///< distance at which faces are tracked
@@ -36,6 +40,18 @@ struct ContactPassSetup {
     std::vector<Index> faceComponent, contactorComponent; ///< empty: one body
     std::vector<std::uint8_t> mayMeet;
     Index components = 1;
+    /// Segments of sharp edges instead of nodes and faces: contactors and faces are segments, those
+    /// of both sides numbered as one.
+    bool ofEdges = false;
+    std::vector<Index> edgeNode; ///< [6 * segment], as EdgePassView
+    std::vector<Index> edgeNext; ///< [2 * segment + end], as EdgePassView
+    Index firstTarget = 0;       ///< segments from here on are partners
+    double queryHalf = 0;        ///< as EdgePassView
+    struct NodePass {
+        Index number = -1;            ///< of a pass of nodes against faces of the pair; -1: none
+        std::vector<Index> contactor; ///< in it, of either end of each segment; -1: none
+    };
+    std::array<NodePass, 2> nodePasses;
 };
 
 /// Passes of all contact pairs and the nodes they act on, in the layout of the kernels.
@@ -44,6 +60,8 @@ struct ContactSetUp {
     std::vector<SurfaceShape> surfaces; ///< as Model::rigidSurfaces
     std::vector<Index> nodes;           ///< node of each contact node
     std::vector<Index> numberOf;        ///< of each node among them, -1; empty without contact
+    std::vector<Index> surfaceStart;    ///< kinematic contactors of each node: CSR; empty: none
+    std::vector<SurfaceUse> surfaceUses;
     ForceScale scale;
 };
 

@@ -82,14 +82,26 @@ NearBlocks::NearBlocks(const SolverSetUp& data)
                 out.push_back(data.contact.numberOf[std::size_t(nodes[i])]);
             return out;
         };
-        pass.faces = numbered(setUp.faceNode, setUp.faceNode.size());
+        if (setUp.ofEdges) {
+            std::vector<Index> ends, faces;
+            for (std::size_t i = 0; i < setUp.edgeNode.size(); i += 6) {
+                const Index a = setUp.edgeNode[i], b = setUp.edgeNode[i + 1];
+                ends.insert(ends.end(), {a, b});
+                if (Index(i / 6) >= setUp.firstTarget) faces.insert(faces.end(), {a, b, b, a});
+            }
+            pass.nodesEach = 2;
+            pass.faces = numbered(faces, faces.size());
+            pass.contactor = numbered(ends, 2 * std::size_t(setUp.nodeCount));
+        } else {
+            pass.faces = numbered(setUp.faceNode, setUp.faceNode.size());
+            pass.contactor = numbered(setUp.contactor, std::size_t(setUp.nodeCount));
+        }
         pass.target = sortedOnce(pass.faces);
-        pass.contactor = numbered(setUp.contactor, std::size_t(setUp.nodeCount));
         pass.allOwn = blocksWith(pass.contactor);
         pass.allTarget = blocksWith(pass.target);
+        const std::ptrdiff_t block = contactBlock * std::ptrdiff_t(pass.nodesEach);
         for (auto first = pass.contactor.begin(); first != pass.contactor.end();) {
-            const auto end =
-                first + std::min<std::ptrdiff_t>(contactBlock, pass.contactor.end() - first);
+            const auto end = first + std::min<std::ptrdiff_t>(block, pass.contactor.end() - first);
             const std::vector<Index> own = blocksWith({first, end});
             pass.own.blocks.insert(pass.own.blocks.end(), own.begin(), own.end());
             pass.own.starts.push_back(Index(pass.own.blocks.size()));
@@ -109,9 +121,10 @@ void NearBlocks::rebuild(std::size_t place, const Positions& positions)
     std::map<Index, Box> targets; // by blocks of contact nodes
     for (const Index node : pass.target) targets[node / contactBlock].add(positions, node);
     pass.near = {};
-    for (std::size_t first = 0; first < pass.contactor.size(); first += contactBlock) {
+    const std::size_t block = contactBlock * pass.nodesEach;
+    for (std::size_t first = 0; first < pass.contactor.size(); first += block) {
         Box box;
-        for (std::size_t i = first; i < std::min(first + contactBlock, pass.contactor.size()); ++i)
+        for (std::size_t i = first; i < std::min(first + block, pass.contactor.size()); ++i)
             box.add(positions, pass.contactor[i]);
         for (const auto& [where, target] : targets)
             if (target.isWithin(distance, box)) pass.near.blocks.push_back(where);

@@ -21,6 +21,7 @@ public:
         double reach = 0;
         double thickness = 0;                 ///< the largest of the target
         std::vector<Index> contactor, target; ///< contact nodes
+        std::size_t nodesEach = 1;            ///< of a contactor: a segment of an edge has two
         std::vector<Index> faces;             ///< [4 * face + corner], contact nodes
         std::vector<Index> allOwn, allTarget; ///< blocks of contact nodes of either side
         BlockLists own, near; ///< of each block of contactors: its own, the target's near it

@@ -17,19 +17,17 @@ namespace {
 
 void requireFaces(const PassFields& pass)
 {
-    const Index faces = Index(pass.faceNode.size() / 4);
+    const Index faces = Index(pass.faceThickness.size()); // or segments of edges
     for (const Field<Index>* field : {&pass.face, &pass.frictionFace})
         for (const Index number : field->toHost())
             if (number < releasedFace || number >= faces) refuse(*field, number);
-    if (pass.frictionFace.size() == 0) return;
-    // A stored force has a face in whose frame it is kept.
+    if (pass.frictionFace.size() == 0 || pass.edgeState.size() > 0) return;
+    // A stored force has a face in whose frame it is kept; edges have frames of their own.
     const std::vector<Index> frames = pass.frictionFace.toHost();
-    const std::vector<double> held = pass.tangentialForce.toDoubles(); // two planes
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const double first = held[i], second = held[frames.size() + i];
-        if (frames[i] < 0 && first * first + second * second > 0)
-            refuse(pass.frictionFace, frames[i]);
-    }
+    const std::vector<double> held = pass.tangentialForce.toDoubles(); // planes
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (const Index frame = frames[i % frames.size()]; frame < 0 && held[i] * held[i] > 0)
+            refuse(pass.frictionFace, frame);
 }
 
 /// Every entry stands in one list at most, and once: so each list ends.
@@ -58,12 +56,18 @@ void requireCells(const PassFields& pass)
 
 bool hasDamping(const ContactPassSetup& pass)
 {
-    return pass.law.normalDamping > 0;
+    return pass.law.normalDamping > 0 && !pass.kinematic;
 }
 
 bool hasFriction(const ContactPassSetup& pass)
 {
     return pass.law.friction > 0;
+}
+
+bool hasSlipDamping(const ContactPassSetup& pass)
+{
+    return hasFriction(pass) && !pass.kinematic && !pass.law.paperFriction
+           && pass.law.slipDamping > 0;
 }
 
 bool hasConvectedFriction(const ContactPassSetup& pass)
@@ -90,14 +94,16 @@ PassFields::PassFields(const ContactPassSetup& setUp,
     contactorComponent.assign(setUp.contactorComponent);
     mayMeet.assign(setUp.mayMeet);
     mirrors.assign(setUp.mirrors);
+    edgeNode.assign(setUp.edgeNode);
+    edgeNext.assign(setUp.edgeNext);
+    firstEnds.assign(setUp.nodePasses[0].contactor);
+    secondEnds.assign(setUp.nodePasses[1].contactor);
     mirrorNormal.assign(setUp.mirrorNormal);
     faceStiffness.assign(setUp.faceStiffness);
     faceThickness.assign({setUp.faceThickness.begin(), setUp.faceThickness.end()});
     contactorStiffness.assign(setUp.contactorStiffness);
-    if (hasDamping(setUp)) {
-        contactorMass.assign(setUp.contactorMass);
-        faceMass.assign(setUp.faceMass);
-    }
+    if (hasDamping(setUp) || hasSlipDamping(setUp)) contactorMass.assign(setUp.contactorMass);
+    if (hasDamping(setUp)) faceMass.assign(setUp.faceMass);
     allocateState(setUp);
     allocateCells(setUp);
 }
@@ -108,24 +114,34 @@ void PassFields::allocateState(const ContactPassSetup& setUp)
     const std::size_t count = setUp.contactor.size();
     const std::size_t blocks = std::size_t(NodeBlocks::blocks(Index(count)));
     const bool rough = hasFriction(setUp), convected = hasConvectedFriction(setUp),
-               damping = hasDamping(setUp), analytic = setUp.surface >= 0;
-    ownNormal.resize(3 * std::size_t(setUp.nodeCount));
+               damping = hasDamping(setUp), analytic = setUp.surface >= 0,
+               kinematic = setUp.kinematic, spring = analytic && !kinematic;
+    const bool edges = setUp.ofEdges;
+    ownNormal.resize(edges ? 0 : 3 * std::size_t(setUp.nodeCount));
+    edgeState.resize(edges ? count : 0);
+    edgePhase.resize(edges ? count : 0);
+    passedOn.resize(edges ? count : 0);
     face.assign(std::vector<Index>(count, noFace));
     frictionFace.assign(std::vector<Index>(convected ? count : 0, noFace));
-    around.resize(count);
+    around.resize(edges ? 0 : count);
     xi.resize(count);
     eta.resize(count);
-    tangentialForce.resize(rough ? (convected ? 2 : 3) * count : 0);
+    tangentialForce.resize(rough && !kinematic ? 3 * count : 0);
+    slipRate.resize(hasSlipDamping(setUp) ? count : 0);
     heldStiffness.resize(setUp.unequalFaces ? count : 0);
     overlap.resize(count);
     force.resize(analytic ? 0 : BlockForce::values * blocks);
     contactorForce.resize(setUp.mayLeave ? 3 * count : 0);
-    surfaceForce.resize(analytic ? 3 * count : 0);
-    springEnergy.resize(count);
+    surfaceForce.resize(spring ? 3 * count : 0);
+    springEnergy.resize(kinematic ? 0 : count);
+    touchGap.resize(kinematic ? 0 : count);
+    touchExtra.resize(kinematic ? 0 : count);
+    touchSurplus.resize(kinematic ? 0 : count);
     dampingForce.resize(damping ? count : 0);
     dissipated.resize(rough ? count : 0);
-    damped.resize(damping ? count : 0);
+    damped.resize(damping || kinematic ? count : 0);
     surfaceWork.resize(analytic ? count : 0);
+    reading.resize(kinematic ? surfaceReadings * count : 0);
     injected.resize(setUp.fadeTime > 0 ? 2 * count : 0);
     counts.resize(passCounts);
     sums.resize(passSums * blocks);

@@ -35,6 +35,11 @@ struct PassFields : FieldSet {
         *this, {"contactorStiffness", Location::contactor, Role::derived}, Family::work};
     NumberField contactorMass{
         *this, {"contactorMass", Location::contactor, Role::derived}, Family::work};
+    /// Of segments of edges, see EdgePassView.
+    Field<Index> edgeNode{*this, {"edgeNode", Location::face, Role::derived}};
+    Field<Index> edgeNext{*this, {"edgeNext", Location::face, Role::derived}};
+    Field<Index> firstEnds{*this, {"firstEnds", Location::face, Role::derived}};
+    Field<Index> secondEnds{*this, {"secondEnds", Location::face, Role::derived}};
     /// Blocks where threads of the CPU need atomic additions; null: none or all.
     Field<std::uint8_t> shared{*this, {"shared", Location::block, Role::derived}};
 
@@ -43,6 +48,10 @@ struct PassFields : FieldSet {
     Field<Index> face{*this, {"face", Location::contactor, Role::state}};
     Field<Index> frictionFace{
         *this, {"frictionFace", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<std::uint8_t> edgeState{
+        *this, {"edgeState", Location::contactor, Role::state, Renewal::keptInContact}};
+    Field<std::uint8_t> edgePhase{*this, {"edgePhase", Location::contactor, Role::scratch}};
+    Field<Index> passedOn{*this, {"passedOn", Location::contactor, Role::scratch}};
     Field<std::uint8_t> around{*this, {"around", Location::contactor, Role::state}};
     NumberField xi{
         *this, {"xi", Location::contactor, Role::state, Renewal::keptInContact}, Family::work};
@@ -52,6 +61,10 @@ struct PassFields : FieldSet {
         *this,
         {"tangentialForce", Location::contactor, Role::state, Renewal::keptInContact},
         Family::work};
+    /// Of SlipDamping.
+    NumberField slipRate{*this,
+                         {"slipRate", Location::contactor, Role::state, Renewal::keptInContact},
+                         Family::work};
     NumberField heldStiffness{
         *this,
         {"heldStiffness", Location::contactor, Role::state, Renewal::keptInContact},
@@ -66,6 +79,15 @@ struct PassFields : FieldSet {
         *this, {"surfaceForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> springEnergy{
         *this, {"springEnergy", Location::contactor, Role::state, Renewal::keptInContact}};
+    /// Of the normal spring, see TouchMemory.
+    NumberField touchGap{*this,
+                         {"touchGap", Location::contactor, Role::state, Renewal::keptInContact},
+                         Family::work};
+    NumberField touchExtra{*this,
+                           {"touchExtra", Location::contactor, Role::state, Renewal::keptInContact},
+                           Family::work};
+    Field<double> touchSurplus{*this,
+                               {"touchSurplus", Location::contactor, Role::state, Renewal::kept}};
     Field<double> dampingForce{
         *this, {"dampingForce", Location::contactor, Role::state, Renewal::keptInContact}};
     Field<double> dissipated{*this,
@@ -73,6 +95,8 @@ struct PassFields : FieldSet {
     Field<double> damped{*this, {"damped", Location::contactor, Role::state, Renewal::kept}};
     Field<double> surfaceWork{*this,
                               {"surfaceWork", Location::contactor, Role::state, Renewal::kept}};
+    /// Of a surface that is met exactly, see SurfaceReading.
+    Field<double> reading{*this, {"reading", Location::contactor, Role::scratch}};
     /// Two planes, see ContactPassView.
     Field<double> injected{*this, {"injected", Location::contactor, Role::state, Renewal::kept}};
     Field<std::int64_t> counts{*this, {"counts", Location::global, Role::state}};
@@ -98,6 +122,7 @@ private:
 
 bool hasDamping(const ContactPassSetup& pass);
 bool hasFriction(const ContactPassSetup& pass);
+bool hasSlipDamping(const ContactPassSetup& pass);
 /// The stored tangential force is kept in the frame of a face.
 bool hasConvectedFriction(const ContactPassSetup& pass);
 

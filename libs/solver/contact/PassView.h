@@ -19,20 +19,17 @@ template <class Work>
 [[gnu::always_inline]] inline PassLaw<Work> lawOf(const ContactPassSetup& setUp, PassFields& f)
 {
     const ContactLaw& l = setUp.law;
-    const double slow = l.friction, fast = l.dynamicFriction;
     return {.count = Index(f.contactor.size()),
             .rule = int(l.penalty),
             .contactorStiffness = f.contactorStiffness.data<Work>(),
             // Mass is halved there by itself.
             .mirrors = entryOf(l.penalty).byMass ? nullptr : f.mirrors.data(),
-            .friction = {.staticCoefficient = Work(slow),
-                         .dynamicCoefficient = Work(fast < 0 ? slow : fast),
-                         .decay = l.frictionDecay,
-                         .stiffnessRatio = Work(l.tangentialScale / l.normalScale),
-                         .paper = l.paperFriction},
+            .friction = frictionLaw<Work>(l),
+            .slipDamping = {Work(l.slipDamping), f.slipRate.data<Work>()},
             .tangentialForce = f.tangentialForce.data<Work>(),
             .frictionFace = f.frictionFace.data(),
             .springEnergy = f.springEnergy.data(),
+            .touch = {f.touchGap.data<Work>(), f.touchExtra.data<Work>(), f.touchSurplus.data()},
             .dissipated = f.dissipated.data(),
             .dampingRatio = Work(l.normalDamping),
             .contactorMass = f.contactorMass.data<Work>(),

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace fpm {
 
@@ -30,12 +31,12 @@ double massOf(const SolverSetUp& data, Index node)
                                                                : data.nodes.mass[std::size_t(node)];
 }
 
-/// Mass of the lightest corner of a face that can be moved; 0: none can.
-double faceMass(const SolverSetUp& data, const ContactPassSetup& pass, std::size_t face)
+/// Mass of the lightest of some nodes that can be moved; 0: none can.
+double leastMass(const SolverSetUp& data, std::span<const Index> nodes)
 {
     double least = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double mass = massOf(data, pass.faceNode[4 * face + k]);
+    for (const Index node : nodes) {
+        const double mass = massOf(data, node);
         if (mass > 0 && (least == 0 || mass < least)) least = mass;
     }
     return least;
@@ -98,7 +99,7 @@ void addPenalty(ContactPassSetup& out,
     out.mirrors = mirrorsOf(model, out.contactor);
     for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
-        out.faceMass.push_back(faceMass(data, out, face));
+        out.faceMass.push_back(leastMass(data, std::span(out.faceNode).subspan(4 * face, 4)));
     if (entryOf(pair.penalty).byMass) {
         const double step = firstElementStep(data.elements, model), perMass = scale / (step * step);
         for (const double mass : out.contactorMass)
@@ -114,6 +115,32 @@ void addPenalty(ContactPassSetup& out,
     if (!entryOf(pair.penalty).bothSides && !rigidFaces) return;
     for (const double stiffness : ownStiffness(model, out.contactor, own))
         out.contactorStiffness.push_back(scale * stiffness);
+}
+
+void addEdgePenalty(ContactPassSetup& out,
+                    const SolverSetUp& data,
+                    const Model& model,
+                    const ContactPair& pair,
+                    const std::vector<SharpEdge>& edges)
+{
+    const bool byMass = entryOf(pair.penalty).byMass;
+    if (!entryOf(pair.penalty).bothSides) out.law.penalty = PenaltyRule::lesser;
+    const double step = byMass ? firstElementStep(data.elements, model) : 1;
+    for (const SharpEdge& edge : edges) {
+        out.faceMass.push_back(leastMass(data, std::span(edge.nodes).first(2)));
+        double sum = 0;
+        for (const ElementSide& side : edge.sides) sum += penalty(model, side);
+        out.faceStiffness.push_back(
+            pair.normalScale
+            * (byMass ? out.faceMass.back() / (step * step) : sum / double(edge.sides.size())));
+    }
+    const std::size_t own = std::size_t(out.nodeCount);
+    for (std::size_t i = 0; i < out.contactor.size(); ++i) {
+        out.contactorMass.push_back(out.faceMass[i % own]);
+        out.contactorStiffness.push_back(out.faceStiffness[i % own]);
+    }
+    const auto [least, most] = std::ranges::minmax(out.faceStiffness);
+    out.unequalFaces = most > (1 + 1e-9) * least;
 }
 
 double largestStiffness(const ContactPassSetup& pass)
@@ -164,9 +191,13 @@ ContactPassSetup makeSurfacePair(const SolverSetUp& data,
     ContactPassSetup out;
     out.law = pair;
     out.surface = pair.surface;
+    out.kinematic = !pair.hasSprings();
     out.contactor = pair.contactorNodes;
     out.nodeCount = Index(out.contactor.size());
-    addPenalty(out, data, model, pair, own, {});
+    if (out.kinematic)
+        out.mirrors = mirrorsOf(model, out.contactor);
+    else
+        addPenalty(out, data, model, pair, own, {});
     double areas = 0;
     for (const ElementSide& side : own) areas += area(model.mesh, side);
     if (!own.empty()) out.meanFaceSize = std::sqrt(areas / double(own.size()));

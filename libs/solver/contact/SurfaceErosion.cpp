@@ -42,6 +42,32 @@ const ContactSurfaces& surfacesOf(const Mesh& mesh, const std::string& pair)
     return *std::ranges::find(mesh.contact, pair, &ContactSurfaces::pair);
 }
 
+/// Segments are the same where their nodes are: all six, so that the wedge is.
+PassRenewal comparedEdges(const ContactPassSetup& before, const ContactPassSetup& after)
+{
+    PassRenewal out;
+    const auto nodesOf = [](const ContactPassSetup& pass, std::size_t segment) {
+        return std::vector<Index>(&pass.edgeNode[6 * segment], &pass.edgeNode[6 * segment] + 6);
+    };
+    std::map<std::vector<Index>, Index> known;
+    for (std::size_t i = 0; i < before.edgeNode.size() / 6; ++i)
+        known[nodesOf(before, i)] = Index(i);
+    out.face.assign(before.edgeNode.size() / 6, -1);
+    std::vector<Index> old;
+    for (std::size_t i = 0; i < after.edgeNode.size() / 6; ++i) {
+        const auto found = known.find(nodesOf(after, i));
+        old.push_back(found == known.end() ? -1 : found->second);
+        if (old.back() >= 0) out.face[std::size_t(old.back())] = Index(i);
+    }
+    for (std::size_t i = 0; i < after.contactor.size(); ++i) {
+        const Index segment = old[i % std::size_t(after.nodeCount)],
+                    slot = Index(i) / after.nodeCount;
+        const bool stays = segment >= 0 && segment < before.nodeCount;
+        out.contactor.push_back(stays ? slot * before.nodeCount + segment : -1);
+    }
+    return out;
+}
+
 } // namespace
 
 SurfaceErosion::SurfaceErosion(const Model& model) : neighbours_(neighboursOf(model.mesh))
@@ -118,6 +144,7 @@ bool SurfaceErosion::renewContact(SolverSetUp& data, const std::vector<bool>& de
 
 PassRenewal compared(const ContactPassSetup& before, const ContactPassSetup& after)
 {
+    if (after.ofEdges) return comparedEdges(before, after);
     PassRenewal out;
     using Slot = std::pair<Index, Index>; // a node has a contactor for each body it may meet
     const auto slotOf = [](const ContactPassSetup& pass, std::size_t i) {

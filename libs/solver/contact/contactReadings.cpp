@@ -112,6 +112,7 @@ std::vector<double> ContactSolver::gaps()
     backend_.synchronize();
     std::vector<double> least(std::size_t(setUp_.nodes.count), noGap);
     for (std::size_t pass = 0; pass < setUp_.contact.passes.size(); ++pass) {
+        if (setUp_.contact.passes[pass].ofEdges) continue; // gaps are of nodes
         const std::vector<double> gaps = gapsOf(pass);
         const std::vector<Index> nodes = fields_.contact.passes[pass]->contactor.toHost();
         for (std::size_t i = 0; i < gaps.size(); ++i) {

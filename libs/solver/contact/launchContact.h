@@ -7,8 +7,10 @@
 #include "kernels/contact/lists/ReferenceDisplacement.h"
 #include "kernels/contact/narrow/NodeGap.h"
 #include "kernels/contact/narrow/Overlap.h"
+#include "kernels/particle/SurfaceNodes.h"
 #include "solver/contact/ContactLaunches.h"
 #include "solver/contact/PassView.h"
+#include "solver/nodes/NodeView.h"
 
 namespace fpm {
 
@@ -25,8 +27,12 @@ public:
         ContactFields& c = on_.fields.contact;
         on_.executor.parallelFor(Index(c.sum.size()), ClearContactSum{c.sum.data(), clock()});
         for (std::size_t pass = 0; pass < c.passes.size(); ++pass)
-            if (setUp(pass).surface >= 0)
+            if (setUp(pass).kinematic)
+                continue; // the nodes see to it themselves, once all their forces are known
+            else if (setUp(pass).surface >= 0)
                 on_.executor.parallelFor(contactors(pass), surfaceForce(pass));
+            else if (setUp(pass).ofEdges)
+                edges(pass, EdgeLaunch::forces);
             else if (setUp(pass).law.friction > 0)
                 launchFaceForces<Numbers, true>(on_, pass);
             else
@@ -41,6 +47,10 @@ public:
 
     void measureOverlaps(std::size_t pass) override
     {
+        if (setUp(pass).ofEdges) {
+            edges(pass, EdgeLaunch::measureOverlaps);
+            return;
+        }
         on_.executor.parallelFor(
             contactors(pass),
             MeasureOverlap<Numbers>{view(pass), cells(pass), fields(pass).overlap.data()});
@@ -57,11 +67,12 @@ public:
     void sums(std::size_t pass) override
     {
         PassFields& f = fields(pass);
+        read(pass);
         on_.executor.parallelBlocks(
             blocks(pass), PassSums::scratch(),
             PassSums{contactors(pass), f.springEnergy.data(), f.dissipated.data(), f.damped.data(),
-                     f.surfaceWork.data(), f.injected.data(), f.surfaceForce.data(), f.force.data(),
-                     on_.setUp.contact.scale, f.sums.data()});
+                     f.surfaceWork.data(), f.injected.data(), f.surfaceForce.data(),
+                     f.reading.data(), f.force.data(), on_.setUp.contact.scale, f.sums.data()});
     }
 
     void status(std::size_t pass) override
@@ -69,9 +80,13 @@ public:
         using Faces = StatusSums<FaceStatus<Numbers>>;
         using Surface = StatusSums<SurfaceStatus<Numbers>>;
         double* out = fields(pass).status.data();
+        read(pass);
         if (setUp(pass).surface >= 0)
-            on_.executor.parallelBlocks(blocks(pass), Surface::scratch(),
-                                        Surface{contactors(pass), {surfaceForce(pass)}, out});
+            on_.executor.parallelBlocks(
+                blocks(pass), Surface::scratch(),
+                Surface{contactors(pass), {surfaceForce(pass), fields(pass).reading.data()}, out});
+        else if (setUp(pass).ofEdges)
+            edges(pass, EdgeLaunch::status);
         else
             on_.executor.parallelBlocks(blocks(pass), Faces::scratch(),
                                         Faces{contactors(pass), {view(pass)}, out});
@@ -88,6 +103,17 @@ public:
     }
 
 private:
+    void edges(std::size_t pass, EdgeLaunch what) { launchEdges<Numbers>(on_, pass, what); }
+    /// Forces on the contactors of a kinematic pass, and half works that are not booked yet.
+    void read(std::size_t pass)
+    {
+        if (!setUp(pass).kinematic) return;
+        PassFields& f = fields(pass);
+        on_.executor.parallelFor(contactors(pass),
+                                 ReadSurface<Numbers>{nodeView<Numbers>(on_), contactors(pass),
+                                                      f.contactor.data(), f.reading.data()});
+    }
+
     SurfaceForce<Numbers> surfaceForce(std::size_t pass)
     {
         PassFields& f = fields(pass);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/contact/lists/ListCheck.h"
+#include "solver/contact/EdgeView.h"
 #include "solver/contact/ListLaunches.h"
 #include "solver/contact/PassView.h"
 #include "solver/contact/searchPass.h"
@@ -93,6 +94,11 @@ private:
     void searchIn(std::size_t pass, const NodeBlocks& blocks)
     {
         const ContactPassSetup& setUp = on_.setUp.contact.passes[pass];
+        if (setUp.ofEdges) {
+            searchEdges(on_.executor, edgeView<Numbers>(on_, pass),
+                        cellsOf(setUp, *on_.fields.contact.passes[pass]), blocks);
+            return;
+        }
         searchPass(on_.executor, passView<Numbers>(on_, pass),
                    cellsOf(setUp, *on_.fields.contact.passes[pass]),
                    setUp.search == ContactSearch::faces, blocks);

@@ -29,17 +29,16 @@ void Ledger::start()
 }
 
 /// Kinetic energy, and the half work of loads and drives that closes the ledger at this time.
-std::array<double, 2> Ledger::kineticEnergy()
+std::array<double, 2> Ledger::kineticEnergy(bool reactions)
 {
-    launches_.kineticEnergy();
+    launches_.kineticEnergy(reactions);
     backend_.synchronize();
     std::array<double, 2> sums{0, 0};
     const std::vector<double> blocks = fields_.nodes.blockEnergy.toHost();
     for (std::size_t i = 0; i < blocks.size(); ++i) sums[i % 2] += blocks[i];
     const StepClock now = fields_.clock.clock.toHost()[0];
     for (const RigidBody& body : fields_.bodies.bodies.toHost()) {
-        const auto [kinetic, closing] =
-            bodyEnergy(body, now.step, settings_.massDamping + now.damping);
+        const auto [kinetic, closing] = bodyEnergy(body, now.step);
         sums[0] += kinetic;
         sums[1] += closing;
     }
@@ -108,7 +107,7 @@ Energies Ledger::energies()
     backend_.synchronize();
     Energies out;
     out.time = fields_.clock.clock.toHost()[0].time;
-    const auto [kinetic, closing] = kineticEnergy();
+    const auto [kinetic, closing] = kineticEnergy(true);
     out.kinetic = kinetic;
     addElements(out);
     const double faded = addContact(out);

@@ -29,12 +29,13 @@ public:
     /// The same without a trace: the balance of later times does not depend on whether this was
     /// asked for.
     Energies peek();
-    /// Kinetic energy of this time, between the two half steps that its forces make.
-    double kinetic() { return kineticEnergy()[0]; }
+    /// Kinetic energy of this time, between the two half steps that its forces make, but for those
+    /// of surfaces that are met exactly: they are not known before the second one.
+    double kinetic() { return kineticEnergy(false)[0]; }
     NodalWorks nodalWorks() const;
 
 private:
-    std::array<double, 2> kineticEnergy();
+    std::array<double, 2> kineticEnergy(bool reactions);
     std::array<double, nodeWorks> works() const;
     void addElements(Energies& out) const;
     double addContact(Energies& out) const;

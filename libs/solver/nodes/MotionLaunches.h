@@ -23,8 +23,9 @@ public:
     virtual void pressures() = 0;
     /// Contact and loads on each body.
     virtual void bodyForces() = 0;
-    /// Kinetic energies and closing works of blocks of nodes, into NodeFields::blockEnergy.
-    virtual void kineticEnergy() = 0;
+    /// Kinetic energies and closing works of blocks of nodes, into NodeFields::blockEnergy, with
+    /// the forces of surfaces that are met exactly or without.
+    virtual void kineticEnergy(bool reactions) = 0;
     /// State of chosen nodes, all where `list` is null, into out[sampleValues][count].
     virtual void sample(const Index* list, Index count, double* out) = 0;
 };

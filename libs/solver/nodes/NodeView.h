@@ -31,6 +31,8 @@ template <class Numbers, class Executor>
             .contactNode = c.numberOf.data(),
             .contactForce = c.sum.data(),
             .contactScale = on.setUp.contact.scale,
+            .surfaces = {c.surfaceStart.data(), c.surfaceUses.data(), c.kinematicPasses.data(),
+                         n.amplitudeRows.data()},
             .conditionStart = n.conditionStart.data(),
             .uses = n.uses.data(),
             .conditions = n.conditions.data(),

@@ -5,6 +5,7 @@
 #include "kernels/particle/PressureForces.h"
 #include "kernels/particle/Relaxation.h"
 #include "kernels/particle/StepClockUpdate.h"
+#include "kernels/particle/SurfaceNodes.h"
 #include "solver/nodes/MotionLaunches.h"
 #include "solver/nodes/NodeView.h"
 
@@ -55,8 +56,12 @@ public:
             nodes.list = on_.fields.nodes.listed.data();
             nodes.nodeCount = Index(on_.fields.nodes.listed.size());
         }
-        on_.executor.parallelBlocks(Index(nodeBlocks(std::size_t(nodes.nodeCount))), nodeScratch(),
-                                    nodes);
+        const Index blocks = Index(nodeBlocks(std::size_t(nodes.nodeCount)));
+        if (on_.setUp.contact.surfaceStart.empty())
+            on_.executor.parallelBlocks(blocks, nodeScratch(), nodes);
+        else
+            on_.executor.parallelBlocks(blocks, nodeScratch(),
+                                        NodeMotionOnSurfaces<Numbers>{nodes});
     }
 
     void moveBodies() override
@@ -100,11 +105,12 @@ public:
                                             clock()});
     }
 
-    void kineticEnergy() override
+    void kineticEnergy(bool reactions) override
     {
         NodeFields& n = on_.fields.nodes;
-        on_.executor.parallelBlocks(Index(n.blocks()), nodeScratch(),
-                                    KineticEnergy<Numbers>{view(), n.blockEnergy.data()});
+        on_.executor.parallelBlocks(
+            Index(n.blocks()), nodeScratch(),
+            KineticEnergy<Numbers>{view(), reactions, n.blockEnergy.data()});
     }
 
     void sample(const Index* list, Index count, double* out) override

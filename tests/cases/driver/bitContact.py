@@ -53,10 +53,14 @@ SURFACES = {
     "bowl": "type sphere; centre (41.6 1.5 1.6); radius 2.75; side inside;",
 }
 SHIFT = {"pipe": -1.5}
+SPRINGS = "enforcement penalty; friction 0.3; normalDamping 0.1;"
+EXACT = "friction { static 0.4; dynamic 0.2; decay 1e-5; }"
 
 
-def surfaces(binaries):
+def surfaces(binaries, law, corners):
+    """`corners`: blocks that lie in a corner of a round surface and a plane."""
     names = list(SURFACES)
+    side = "side { type plane; point (0 3.05 0); normal (0 -1 0.2); }\n" if corners else ""
     return BitScene(
         binaries,
         bodies="".join(box(f"{name}Block", (10.0 * i + SHIFT.get(name, 0), 0, 0), (3, 3, 3), (4, 4, 4))
@@ -64,9 +68,12 @@ def surfaces(binaries):
         parts="".join(plastic(f"{name}Block") for name in names),
         initial="".join(f"v_{name} {{ type velocity; part {name}Block; value (2e4 1e4 -4e4); }}\n"
                         for name in names),
-        pairs="".join(f"{name} {{ contactor {name}Block; target {name}; friction 0.3; "
-                      "normalDamping 0.1; initialOverlap report; }\n" for name in names),
-        surfaces="".join(f"{name} {{ {text} }}\n" for name, text in SURFACES.items()),
+        pairs="".join(f"{name} {{ contactor {name}Block; target {name}; {law} "
+                      "initialOverlap report; }\n" for name in names)
+        + "".join(f"{name}Side {{ contactor {name}Block; target side; {law} "
+                  "initialOverlap report; }\n" for name in corners),
+        surfaces="".join(f"{name} {{ {text} }}\n" for name, text in SURFACES.items())
+        + side,
         functions=partHistories(f"{name}Block" for name in names)
         + "".join(f"force_{name} {{ type reaction; surface {name}; }}\n" for name in names))
 
@@ -121,7 +128,8 @@ PLATES = """pairs
 
 CONTACT = {
     "towers": (towers, 300),
-    "surfaces": (surfaces, 1000),
+    "surfaces": (lambda binaries: surfaces(binaries, SPRINGS, ()), 1000),
+    "surfacesExact": (lambda binaries: surfaces(binaries, EXACT, ("ball", "bowl")), 1000),
     "general": (threeBodies("general { friction 0.3; }\n"), 500),
     "general.rigid": (threeBodies("general;\n", "c { model rigidFree; density 7.85e-9; }\n"), 500),
     "general.beside": (threeBodies(

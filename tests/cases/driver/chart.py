@@ -1,11 +1,13 @@
 """fpmChart on a short wave in a bar (tutorials/bar): order, front, failing run, resume after a kill."""
 
 import re
+import shutil
 import signal
 import subprocess
 import time
 
-from driver.caseRun import PROJECT, CaseRun
+from driver.caseRun import PROJECT, CaseRun, Failed
+from driver.results import different, results
 
 # The pulse passes the middle of the bar twice: on its way and back from the free end.
 EXACT = ("1000 * (smooth((t - 5e-6) / 4e-6) - smooth((t - 9e-6) / 4e-6)"
@@ -87,6 +89,91 @@ def killed(case):
         time.sleep(0.002)
     process.wait()
     return process.returncode == -signal.SIGKILL
+
+
+# One run that takes a while, with many checkpoints.
+LONG = """charts
+{
+    one
+    {
+        keepFields yes;
+        ladders { refinement { entry meshDict.refinement; values (4); } }
+        probes
+        {
+            middle { file "postProcessing/middle/0/velocity.dat"; y vx; reference { table ((0 0) (1 1000)); } }
+        }
+    }
+}
+"""
+RUN = "postProcessing/chart/one/runs/refinement_4"
+
+
+def longer(binaries):
+    case = bar(binaries)
+    (case.root / "system/chartDict").write_text(LONG)
+    control = case.root / "system/controlDict"
+    control.write_text(control.read_text() + "checkpoint { wallInterval 0; steps 50; keep 3; }\n")
+    return case
+
+
+def endAt(case, time):
+    case.replace("system/controlDict", r"^endTime +[0-9.e-]+", f"endTime {time}")
+
+
+def stoppedIn(case, number):
+    """Starts the chart and sends it a signal once its run has written checkpoints; its code."""
+    process = subprocess.Popen([case.binaries / "fpmChart"], cwd=case.root,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while process.poll() is None:
+        if (case.root / RUN / "checkpoint/state.2.h5").exists():
+            process.send_signal(number)
+            break
+        time.sleep(0.002)
+    return process.wait()
+
+
+def continued(binaries, marks):
+    """Runs go on from their checkpoints, to the bits of a run from the start, or it is said why not."""
+    with longer(binaries) as whole:
+        def expectedTo(end):
+            endAt(whole, end)
+            output = whole.run("fpmChart", "-retry")
+            if "goes on" in output:
+                shutil.rmtree(whole.root / "postProcessing/chart")
+                whole.run("fpmChart")
+            return results(whole.root / RUN)
+        short, long = expectedTo("2.4e-5"), expectedTo("4e-5")
+
+        def judge(case, what, expected, words):
+            output = case.run("fpmChart")
+            told = re.search(r"^ +refinement_4 (goes on|begins again).*$", output, re.M)
+            marks.true(f"{what}: {told.group(0).strip() if told else 'nothing said'}",
+                       told is not None and words in told.group(0))
+            if wrong := different(results(case.root / RUN), expected):
+                marks.failures.append(f"{what}: not as from the start: {wrong}")
+            if runsOf(case.run("fpmChart")) != 0:
+                marks.failures.append(f"{what}: it is run once more")
+
+        for number, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 75)):
+            with longer(binaries) as case:
+                endAt(case, "2.4e-5")
+                if (found := stoppedIn(case, number)) != code:
+                    raise Failed(f"{number.name}: status {found}, too late")
+                judge(case, number.name, short, "goes on from its checkpoint")
+        with longer(binaries) as case:
+            endAt(case, "2.4e-5")
+            case.run("fpmChart")
+            endAt(case, "4e-5")
+            judge(case, "a later end", long, "goes on from its checkpoint")
+            endAt(case, "2.4e-5")
+            judge(case, "an earlier end", short, "no checkpoint before endTime 2.4e-05 is left")
+            case.replace("system/controlDict", r"^historyInterval [0-9.e-]+;", "")
+            endAt(case, "4e-5")
+            case.run("fpmChart")
+            endAt(case, "5e-5")
+            told = case.run("fpmChart")
+            marks.true("rows that follow from the end: begins again, says so",
+                       "begins again: historyInterval is not given and follows from endTime" in told)
 
 
 def check(binaries, marks):

@@ -80,7 +80,7 @@ def crowd(binaries, marks):
     front = [("b0", (0, 0, 0), size, cells), ("b1", (2, 0, 0), size, cells)]
     judged(marks, "four bricks at a corner", bricks(front + [
         ("b2", (0, 2, 0), size, cells), ("b3", (2, 2, 0), size, cells)]),
-        ["searches with more than three bodies in reach of a node"])
+        ["searches with more than three bodies in reach of a node, or eight edges of an edge"])
     judged(marks, "cured by bricks that are staggered", bricks(front + [
         ("b2", (-1, 2, 0), size, cells), ("b3", (1, 2, 0), size, cells),
         ("b4", (3, 2, 0), size, cells)]), [])

@@ -98,7 +98,7 @@ def squeezed(binaries, core, rings):
                    "amplitude smooth ((0 0) (4e-4 1)); }",
         surfaces="low { part ball; within box ((-1 -1 -51) (20 20 -44)); }\n"
                  "floor { type plane; point (0 0 -50); normal (0 0 1); }",
-        pairs="ballFloor { contactor low; target floor; normalScale 5; }",
+        pairs="ballFloor { contactor low; target floor; enforcement penalty; normalScale 5; }",
         control="massDamping 2e4; timeStep { contactLimit 0.8; }",
         end=6e-4, rows=300,
         tables="s { type extrema; field S; component ZZ; part ball; }").all()

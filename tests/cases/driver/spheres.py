@@ -22,7 +22,7 @@ def bounce(binaries, core, rings):
         initial="v { type velocity; part ball; value (0 0 -1000); }",
         surfaces="low { part ball; within box ((-1 -1 -51) (30 30 -35)); }\n"
                  "floor { type plane; point (0 0 -50.1); normal (0 0 1); }",
-        pairs="ballFloor { contactor low; target floor; normalScale 1; }",
+        pairs="ballFloor { contactor low; target floor; enforcement penalty; }",
         functions="centre { type point; part ball; position (0 0 0); "
                   "fields (displacement velocity); }",
         end=8e-3, rows=2000).all()

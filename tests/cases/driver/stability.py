@@ -68,7 +68,7 @@ def check(binaries, marks):
         marks.true("none that is predicted to be stable", surprises == 0)
         marks.true("no bound is called one that fails below itself",
                    "alone is no safe bound here: first failure at 0.848 of it" in output
-                   and "with omega_c dt <= 0.5 it is one" in output)
+                   and "with omega_c dt <= 0.8 it is one" in output)
         before = [file.read_bytes() for file in maps(case)]
         for file in maps(case):
             file.unlink()

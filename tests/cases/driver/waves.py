@@ -38,7 +38,7 @@ def barOnWall(binaries, speed, poisson, cells, held=True, across=1):
         parts=elastic("bar", 200000, poisson, 8e-9), conditions=sides,
         initial=f"v {{ type velocity; part bar; value ({-speed} 0 0); }}",
         surfaces="wall { type plane; point (0 0 0); normal (1 0 0); }",
-        pairs="barWall { contactor bar.xMin; target wall; normalScale 1; }",
+        pairs="barWall { contactor bar.xMin; target wall; }",
         functions="struck { type point; part bar; position (0 10 10); fields (displacement); }\n"
                   "free { type point; part bar; position (202 10 10); fields (displacement); }",
         end=1.2e-4, rows=2400).all()
@@ -71,7 +71,7 @@ def onWall(binaries, marks, name, speed, poisson, cells, mark, held=True, across
 
 def wall(binaries, marks):
     onWall(binaries, marks, "B1 100 m/s, 200 cells", 1e5, 0, 200, 0.015)
-    onWall(binaries, marks, "B1 10 m/s, 400 cells", 1e4, 0, 400, 0.003)
+    onWall(binaries, marks, "B1 10 m/s, 500 cells", 1e4, 0, 500, 0.003)
     onWall(binaries, marks, "B1 10 m/s, nu 0.3, free sides", 1e4, 0.3, 100, 0.02, held=False,
            across=4)
 

@@ -31,6 +31,7 @@ namespace {
 
 std::string lastFault_;
 const Kernel* running = nullptr;
+long launches_ = 0; ///< since the last reset
 
 std::vector<unsigned> firstNumbers(unsigned count)
 {
@@ -102,6 +103,13 @@ bool runBlock(unsigned threads, const std::function<void()>& body)
     return true;
 }
 
+/// The launch at which the device is lost, counted from the last reset; as the environment says.
+void loseDeviceAtItsTime()
+{
+    const char* at = std::getenv("CUDA_STAND_IN_LOST_AT");
+    if (at && ++launches_ == std::atol(at)) fault("the device has fallen off the bus");
+}
+
 } // namespace
 
 std::map<std::string, Kernel>& kernels()
@@ -134,6 +142,8 @@ void Launch::addWords(const void* argument, std::size_t bytes)
 
 void run(const Launch& launch)
 {
+    loseDeviceAtItsTime();
+    if (!lastFault().empty()) return;
     running = launch.kernel;
     ++launch.kernel->launches;
     launch.kernel->threads += std::size_t(launch.grid.x) * launch.block.x;
@@ -168,6 +178,7 @@ const std::string& lastFault()
 void reset()
 {
     lastFault_.clear();
+    launches_ = 0;
 }
 
 } // namespace cudaStandIn

@@ -56,6 +56,7 @@ TEST_F(CostAdviceTest, AnElasticHourglassStiffnessIsWrongWhereThePartYields)
 TEST_F(CostAdviceTest, ContactSpringsThatMakeTheStepShortAreNamed)
 {
     // 1e-4 in steps of 0.9 times 2e-7: 556. The run made 1000.
+    model.control.contactStepLimit = 0.5;
     const auto advice = contactStepAdvice(model, results);
     ASSERT_TRUE(advice);
     EXPECT_EQ(advice->subject, "timeStep.contactLimit 1 instead of 0.5");

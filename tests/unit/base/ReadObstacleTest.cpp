@@ -1,5 +1,6 @@
 #include "base/ReadObstacle.h"
 
+#include "support/OrdinaryUser.h"
 #include "support/TemporaryFolder.h"
 
 #include <fcntl.h>
@@ -13,26 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without root's rights, to which nothing is closed, until it is destroyed.
-class OrdinaryUser
-{
-public:
-    OrdinaryUser()
-    {
-        if (geteuid() == 0 && seteuid(nobody) != 0) throw std::runtime_error("seteuid");
-    }
-    ~OrdinaryUser()
-    {
-        if (geteuid() != getuid() && seteuid(getuid()) != 0) std::abort();
-    }
-
-private:
-    static constexpr uid_t nobody = 65534;
-};
-
 std::string answer(const fs::path& path)
 {
-    const OrdinaryUser user;
+    const test::OrdinaryUser user;
     const int file = open(path.c_str(), O_RDONLY);
     const int error = file < 0 ? errno : EISDIR;
     if (file >= 0) close(file);

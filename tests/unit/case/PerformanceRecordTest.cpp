@@ -20,6 +20,9 @@ TEST(PerformanceRecord, IsReadBackAsItWasWritten)
     record.steps = 8928;
     record.deviceBytes = std::int64_t(5) << 32;
     record.wallSeconds = 12.5;
+    record.parts = 3;
+    record.partSteps = 17;
+    record.partSeconds = 0.25;
     record.contactShare = 0.25;
     record.lastStep = 1.0 / 3;
     record.contactLimitedBy = "contact pair rodLayer: node 3 at (1 2 3), omega 4";
@@ -35,6 +38,9 @@ TEST(PerformanceRecord, IsReadBackAsItWasWritten)
     EXPECT_EQ(read->frictionWork, record.frictionWork);
     EXPECT_EQ(read->lastStep, record.lastStep);
     EXPECT_EQ(read->deviceBytes, record.deviceBytes);
+    EXPECT_EQ(read->parts, 3);
+    EXPECT_EQ(read->partSteps, 17);
+    EXPECT_EQ(read->partSeconds, 0.25);
     EXPECT_FALSE(read->nsPerElementStep);
     EXPECT_TRUE(std::isinf(read->elementStep)) << "no element bounds the step";
     EXPECT_EQ(markOf(folder.root() / performanceFile)->runId, "one");

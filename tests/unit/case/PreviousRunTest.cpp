@@ -58,7 +58,7 @@ protected:
     {
         std::string text;
         Log log = Log::into(text);
-        clearForRun(folder.root(), mode, log);
+        clearForRun(OutputFolder(folder.root()), mode, log);
         return text;
     }
     std::string refusal(const std::string& mode = "keep")
@@ -199,7 +199,7 @@ TEST_F(PreviousRun, KilledAfterAnyNumberOfMovesIsCompleted)
         std::string text;
         Log log = Log::into(text);
 
-        clearForRun(copy.root(), "keep", log);
+        clearForRun(OutputFolder(copy.root()), "keep", log);
 
         EXPECT_EQ(text, "moved into previous/ what run 20260131-120000-00000001 left: 3 frames, 2 "
                         "tables, 2 pictures\n");

@@ -108,7 +108,7 @@ TEST(StepClock, KeepsTheContactFrequencyTimesTheStepBelowItsLimit)
 {
     StepClock clock = clockUntil(1e9);
     advanceClock(clock, {}, 1.0, 100 * 100);
-    EXPECT_DOUBLE_EQ(clock.step * 100, 0.5);
+    EXPECT_DOUBLE_EQ(clock.step * 100, 0.8);
 }
 
 TEST(StepClock, GrowsByTenPercentAtMostAndShrinksAtOnce)

@@ -83,10 +83,11 @@ public:
     void hold(const V& force)
     {
         const FaceCorners<double> corners = view().corners(face_, contactor_);
-        const V held =
-            FaceFrame<double>(corners).components(force, gapAtClosest(corners, xi_, eta_).normal);
+        const V held = componentsIn(FaceFrame<double>(corners),
+                                    intoPlane(force, gapAtClosest(corners, xi_, eta_).normal));
         tangentialForce_[0] = held.x;
         tangentialForce_[1] = held.y;
+        tangentialForce_[2] = held.z;
         frictionFace_ = face_;
     }
     const std::vector<V>& nodes() const { return x_; }
@@ -105,7 +106,8 @@ public:
     double held() const
     {
         return (tangentialForce_[0] * tangentialForce_[0]
-                + tangentialForce_[1] * tangentialForce_[1])
+                + tangentialForce_[1] * tangentialForce_[1]
+                + tangentialForce_[2] * tangentialForce_[2])
                / (2 * tangentialRatio * normalStiffness);
     }
     double lost() const { return dissipated_; }
@@ -155,7 +157,8 @@ private:
                 velocity_[c * x_.size() + i] = c == 0 ? v_[i].x : c == 1 ? v_[i].y : v_[i].z;
             }
         sums_.assign(4 * x_.size(), 0);
-        ContactForce<DoublePrecision, true>{view(), {}}(CpuTeam<64>(nullptr), 0);
+        ContactForce<DoublePrecision, true>{view(), {noEntries_, nullptr, 0, 1, 0}}(
+            CpuTeam<64>(nullptr), 0);
     }
     std::vector<V> x_, v_;
     std::vector<double> position_, velocity_;
@@ -167,9 +170,10 @@ private:
     ForceScale scale_{0x1p40, 0x1p-40, 0x1p20, 0x1p-20};
     std::vector<std::int64_t> sums_;
     Index contactor_ = 0, face_, frictionFace_ = 0;
-    double xi_ = 0, eta_ = 0, tangentialForce_[2]{}, springEnergy_ = 0, dissipated_ = 0;
+    double xi_ = 0, eta_ = 0, tangentialForce_[3]{}, springEnergy_ = 0, dissipated_ = 0;
     double dampingForce_ = 0, damped_ = 0, heldStiffness_ = 0;
     float overlap_ = 0;
+    Index noEntries_[2]{-1, -1}; ///< cell lists without faces
     std::int16_t ownNormal_[3]{};
     std::uint8_t around_ = aroundCurved;
     std::int64_t counts_[passCounts]{}, force_[BlockForce::values]{};

@@ -233,6 +233,22 @@ TEST(ContactSetup, RefusesWrongGeneralContact)
         contains(refusal([&] { shop.run("pairs { general { contactor upper; target lower; } }"); }),
                  "'general' is the name of contact of all bodies with all"));
     EXPECT_TRUE(contains(refusal([&] { shop.run("general { passes two; }"); }), "unknown keyword"));
+    EXPECT_TRUE(contains(refusal([&] { shop.run("general { edges some; }"); }), "edges"));
+}
+
+TEST(ContactSetup, TellsTheSharpEdgesThatMayMeet)
+{
+    Workshop shop(blocks(0.1));
+    const auto edgesIn = [&](const std::string& contactDict) {
+        shop.run(contactDict);
+        return shop.folder.logText();
+    };
+    // Along the twelve edges of boxes of 4 x 4 x 2 and of 3 x 3 x 1 elements.
+    EXPECT_TRUE(contains(edgesIn("general;"), "68 segments of sharp edges"));
+    EXPECT_FALSE(contains(edgesIn("general { edges no; }"), "sharp edges"));
+    EXPECT_FALSE(contains(edgesIn(onePair), "sharp edges"));
+    EXPECT_TRUE(contains(edgesIn("pairs { press { contactor upper; target lower; edges yes; } }"),
+                         "28 segments of sharp edges against 40"));
 }
 
 TEST(ContactSetup, MovesOverlapsToTheSurfaceOnRequest)

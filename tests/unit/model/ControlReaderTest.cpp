@@ -55,14 +55,14 @@ TEST(ControlReader, NeedsNothingButTheEndTime)
 TEST(ControlReader, ReadsWhatIsSaid)
 {
     const Control control =
-        read("endTime 2; timeStep { safety 0.5; contactLimit 1; fixed 1e-3; beyondBound go; } "
+        read("endTime 2; timeStep { safety 0.5; contactLimit 0.7; fixed 1e-3; beyondBound go; } "
              "precision mixed; searchInterval 7; strainGeometry start; assembly gather; threads 3; "
              "energyBalance { "
              "warning 0.1; stop "
              "0.2; } previousRun remove;");
 
     EXPECT_EQ(control.timeStepSafety, 0.5);
-    EXPECT_EQ(control.contactStepLimit, 1);
+    EXPECT_EQ(control.contactStepLimit, 0.7);
     EXPECT_EQ(control.fixedTimeStep, 1e-3);
     EXPECT_TRUE(control.beyondBound);
     EXPECT_EQ(control.searchInterval, 7);

@@ -25,10 +25,10 @@ RigidSurface surfaceOf(const std::string& text)
     return surface;
 }
 
-ContactLaw lawOf(const std::string& text)
+ContactLaw lawOf(const std::string& text, bool analytic = false)
 {
     const Dictionary entry = Dictionary::parse("pair { " + text + " }").sub("pair");
-    ContactLaw law = readContactLaw(entry);
+    ContactLaw law = readContactLaw(entry, analytic);
     entry.requireAllUsed();
     return law;
 }
@@ -40,6 +40,11 @@ TEST(ContactLawReader, TakesOneCoefficientOrTheWholeLaw)
     EXPECT_EQ(lawOf("").friction, 0);
     EXPECT_EQ(lawOf("friction 0.3;").friction, 0.3);
     EXPECT_LT(lawOf("friction 0.3;").dynamicFriction, 0);
+    EXPECT_EQ(lawOf("friction { static 0.3; damping 0.1; }").slipDamping, 0.1);
+    EXPECT_EQ(lawOf("friction 0.3;").normalDamping, 0.05);
+    EXPECT_EQ(lawOf("friction 0.3; normalDamping 0;").normalDamping, 0);
+    EXPECT_EQ(lawOf("friction { static 0.3; form paper; }").normalDamping, 0);
+    EXPECT_EQ(lawOf("").normalDamping, 0);
     const ContactLaw law = lawOf("friction { static 0.4; dynamic 0.3; decay 2; form paper; }"
                                  "penalty series; normalDamping 0.1; normalScale 0.5;");
     EXPECT_EQ(law.friction, 0.4);
@@ -50,6 +55,20 @@ TEST(ContactLawReader, TakesOneCoefficientOrTheWholeLaw)
     EXPECT_EQ(law.normalDamping, 0.1);
     EXPECT_TRUE(contains(refusal([] { lawOf("normalDamping 1.5;"); }), "normalDamping"));
     EXPECT_TRUE(contains(refusal([] { lawOf("friction { dynamic 0.1; decay 1; }"); }), "static"));
+}
+
+TEST(ContactLawReader, AnalyticSurfacesAreMetExactlyUnlessSpringsAreAskedFor)
+{
+    const std::string springs = "enforcement penalty; normalScale 2; normalDamping 0.1; "
+                                "friction { static 0.3; form paper; }";
+    EXPECT_EQ(lawOf("friction 0.3;", true).enforcement, Enforcement::kinematic);
+    EXPECT_EQ(lawOf("enforcement kinematic;", true).enforcement, Enforcement::kinematic);
+    EXPECT_EQ(lawOf(springs, true).enforcement, Enforcement::penalty);
+    EXPECT_EQ(lawOf("friction 0.3;").enforcement, Enforcement::penalty);
+    for (const char* key : {"normalScale 1;", "tangentialScale 1;", "penalty series;",
+                            "normalDamping 0.1;", "friction { static 0.3; form paper; }"})
+        EXPECT_TRUE(contains(refusal([&] { lawOf(key, true); }), "met exactly")) << key;
+    EXPECT_TRUE(contains(refusal([] { lawOf("enforcement kinematic;"); }), "a plane, cylinder"));
 }
 
 TEST(RigidSurfaceReader, TakesPlaneCylinderAndSphere)
@@ -124,6 +143,7 @@ TEST(ContactSetup, AcceptsAnAnalyticTargetAndReportsHowTheBodyLies)
          {std::pair{"passes two;", "no nodes for a second pass"},
           std::pair{"search closestParticle;", "no particles to search"},
           std::pair{"projection cold;", "no faces to project on"},
+          std::pair{"edges yes;", "the target has no edges"},
           std::pair{"initialOverlap move;", "only overlaps with faces"}}) {
         folder.write("system/contactDict",
                      std::string("pairs { onWall { contactor box; target wall; ") + option

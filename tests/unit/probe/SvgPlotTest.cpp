@@ -163,3 +163,22 @@ TEST(SvgPlot, ShowsMarksWithTextsThatKeepClear)
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_NE(svg.find(">4<"), std::string::npos) << "the axis holds the bar";
 }
+
+TEST(SvgPlot, ATextIsNearestToItsOwnMark)
+{
+    Plot plot = sinePlot(3, SeriesStyle::line);
+    plot.series.clear();
+    for (const auto& [text, y] :
+         {std::pair("lower", 0.485), {"upper", 0.515}, {"", 0.0}, {"", 1.0}}) {
+        PlotMark mark;
+        mark.x = 0.5, mark.y = y, mark.text = text;
+        plot.marks.push_back(mark);
+    }
+    const std::string svg = svgPlot(plot);
+
+    const auto heightOf = [&](const std::string& text) {
+        const auto start = svg.rfind("<text", svg.find(">" + text + "<"));
+        return std::stod(svg.substr(svg.find(" y=\"", start) + 4));
+    };
+    EXPECT_LT(heightOf("upper"), heightOf("lower"));
+}

@@ -161,7 +161,7 @@ TEST(HealthTable, IsParseableAndSaysTheVerdict)
     EXPECT_NE(lines[1].find("FINDING part a, (1 2 3), time 0.002"), std::string::npos);
     EXPECT_EQ(lines[2], "    = do this");
     const TemporaryFolder folder;
-    writeHealth(folder.path(), "run1", rows);
+    writeHealth(OutputFolder(folder.path()), "run1", rows);
     const auto file = folder / "postProcessing/health/0/health";
     EXPECT_EQ(markOf(file)->runId, "run1");
     const Dictionary record = Dictionary::read(file, folder.path());

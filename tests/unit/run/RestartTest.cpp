@@ -1,3 +1,4 @@
+#include "case/PerformanceRecord.h"
 #include "case/RunStatus.h"
 #include "run/Checkpoints.h"
 #include "run/TimeLoop.h"
@@ -125,6 +126,33 @@ TEST(Restart, ALaterEndIsReachedAndAnEarlierOneIsNothingToDo)
     EXPECT_EQ(status->state, RunState::finished);
     EXPECT_EQ(status->time, 3e-5);
     EXPECT_TRUE(fs::exists(folder.path() / "2.5e-05/fields.vtkhdf"));
+}
+
+TEST(Restart, TheRecordTellsOfTheWholeRunAndOfItsLastPart)
+{
+    const Model model = impact();
+    const TemporaryFolder folder;
+    runWhole(model, folder.path(), 100);
+    const auto first = readPerformance(folder.path());
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->parts, 1);
+    EXPECT_EQ(first->partSteps, 100);
+    EXPECT_EQ(first->partSeconds, first->wallSeconds);
+    EXPECT_GT(first->partSeconds, 0);
+    const auto label = checkpointLabel(folder.path() / checkpointFile);
+    ASSERT_TRUE(label);
+    EXPECT_GT(label->wallSeconds, 0);
+    EXPECT_GT(label->cpuSeconds, 0);
+    EXPECT_GT(label->lastStep, 0);
+
+    const Ended ended = goOn(model, folder.path());
+    const auto second = readPerformance(folder.path());
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->parts, 2);
+    EXPECT_EQ(second->partSteps, second->steps - 100);
+    EXPECT_NEAR(second->wallSeconds, first->wallSeconds + second->partSeconds,
+                1e-4 * second->wallSeconds); // written with six digits
+    EXPECT_NE(ended.said.find("in 2 parts"), std::string::npos) << ended.said;
 }
 
 TEST(Restart, ADamagedCheckpointIsPassedOverForTheOneBefore)

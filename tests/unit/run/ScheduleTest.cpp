@@ -54,6 +54,17 @@ TEST(Schedule, GoesOnAsIfItHadBeenThereFromTheStart)
     EXPECT_EQ(later.pause(), whole.pause());
 }
 
+TEST(Schedule, NoRowDependsOnTheEnd)
+{
+    Control control = everyTenth();
+    Schedule schedule(control, -1);
+    schedule.startAt(at(0.12, 12), 0);
+    const double pause = schedule.pause();
+    control.endTime = 1e6;
+    schedule.startAt(at(0.12, 12), 0);
+    EXPECT_EQ(schedule.pause(), pause);
+}
+
 TEST(Schedule, RowsOfEveryStepPauseAfterEach)
 {
     Control control = everyTenth();

@@ -143,6 +143,45 @@ TEST(EnergyIdentity, HoldsToRoundingWithConstantStep)
     EXPECT_LT(result.largestError, 1e-10);
 }
 
+/// A damped body in flight: what it loses is in the ledger at every time, of one with elements and
+/// of a rigid one.
+TEST(EnergyIdentity, LedgerOfADampedFlightCloses)
+{
+    for (const PartKind kind : {PartKind::elastic, PartKind::rigidFree}) {
+        Model model = boxModel({2, 2, 2}, {2, 2, 2}, aluminium(kind, HourglassForm::physical));
+        throwPart(model, "box", {1e4, 0, 5e3});
+        model.initialVelocities.back().part = kind == PartKind::rigidFree ? 0 : -1;
+        model.control.massDamping = 2e5;
+        model.control.fixedTimeStep = 5e-8;
+        const auto solver = startedSolver(model);
+        const double start = solver->ledger().energies().kinetic;
+        for (int n = 0; n < 100; ++n) {
+            solver->advance(1, 1);
+            EXPECT_LT(std::abs(solver->ledger().energies().error), 1e-12 * start);
+        }
+        EXPECT_LT(solver->ledger().energies().kinetic, 0.2 * start);
+    }
+}
+
+/// The same pushed by a rough wall that is met exactly, whose force is known in the step alone.
+TEST(EnergyIdentity, HoldsToRoundingOnAWallThatIsMetExactly)
+{
+    Model model = busyScene();
+    RigidSurface wall;
+    wall.name = "wall";
+    wall.point = {0.95, 0, 0};
+    wall.axis = {1, 0, 0.1};
+    for (double& c : wall.axis) c /= std::hypot(1, 0.1);
+    wall.motion = RigidSurface::Motion::velocity;
+    wall.value = {4e4, 0, 0};
+    model.rigidSurfaces.push_back(wall);
+    ContactPair& pair = addContact(model, "wall", skin(model.mesh, 1), {});
+    pair.surface = 0;
+    pair.friction = 0.3;
+    const Audit result = audit(model, 500);
+    EXPECT_LT(result.largestError, 1e-10);
+}
+
 TEST(EnergyIdentity, HoldsToRoundingWithVariableStep)
 {
     const Audit result = audit(busyScene(), 500);

@@ -1,4 +1,4 @@
-#include "unit/solver/kindScenes.h"
+#include "unit/solver/edgeScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,9 @@ std::vector<Model> otherKinds(Precision precision)
     const std::vector<ElementSide> sides = skin(fold.mesh, 0);
     addContact(fold, "own", sides, sides).kind = ContactKind::self;
     fold.control.precision = precision;
-    return {twice, all, fold};
+    Model edges = slidingRoofs();
+    edges.control.precision = precision;
+    return {twice, all, fold, edges};
 }
 
 TEST_P(EqualBits, HoldForTheOtherKindsOfContact)

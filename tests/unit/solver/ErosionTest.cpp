@@ -273,8 +273,11 @@ Model generalLayers(PartKind stamp)
 /// touch several bodies; what friction and damping have taken stays booked.
 TEST(Erosion, GoesOnInGeneralContactWithFriction)
 {
-    for (const PartKind stamp : {PartKind::elastic, PartKind::rigidFree}) {
-        const Model model = generalLayers(stamp);
+    for (const auto& [stamp, edges] : {std::pair{PartKind::elastic, false},
+                                       {PartKind::rigidFree, false},
+                                       {PartKind::elastic, true}}) {
+        Model model = generalLayers(stamp);
+        model.contactPairs[0].edges = edges;
         const auto solver = startedSolver(model);
         double friction = 0, damping = 0;
         std::int64_t deletions = 0;

@@ -31,7 +31,8 @@ Model strike(bool half, int passes, double friction)
     ContactPair& pair = addContact(model, "touch", facing(model.mesh, "upper", {0, 0, -1}),
                                    facing(model.mesh, "lower", {0, 0, 1}));
     pair.friction = friction;
-    pair.tangentialScale = 0.1; // harder springs make rounding grow faster where they slip
+    pair.tangentialScale = 0.1; // harder springs make rounding grow faster where they slip,
+    pair.slipDamping = 0;       // and so does a force of the slip rate
     pair.passes = passes;
     model.control.backend = "serial";
     model.control.endTime = 1;
@@ -81,8 +82,8 @@ TEST(Mirror, APlaneInManyConditionsIsOne)
         }
     model.boundaryConditions.erase(model.boundaryConditions.begin() + 1); // the whole plane's
     const auto parts = startedSolver(model);
-    once->advance(1, 100);
-    parts->advance(1, 100);
+    once->advance(1, 60);
+    parts->advance(1, 60);
     EXPECT_GT(std::abs(once->contact().force(0).force[2]), 500);
     EXPECT_EQ(once->contact().force(0).force, parts->contact().force(0).force);
     EXPECT_EQ(once->ledger().energies().friction, parts->ledger().energies().friction);

@@ -1,4 +1,4 @@
-#include "unit/solver/kindScenes.h"
+#include "unit/solver/edgeScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -114,6 +114,16 @@ TEST(State, OfGeneralContactOverEdgesIsWhole)
     model.mesh.contact.clear();
     addGeneral(model);
     goesOnWithTheSameBits(model);
+}
+
+TEST(State, OfEdgesThatSlideIsWhole)
+{
+    for (const Precision precision : {Precision::double_, Precision::mixed, Precision::single}) {
+        Model model = slidingRoofs();
+        model.control.precision = precision;
+        model.contactPairs[0].normalDamping = 0.1;
+        goesOnWithTheSameBits(model, false, 20);
+    }
 }
 
 /// Surfaces that deletions have renewed are made anew before they are given their values.

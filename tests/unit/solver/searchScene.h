@@ -56,19 +56,14 @@ public:
     }
 
     /// The tracker at the present positions.
-    Tracked<double> follow(Index query)
+    ContactPoint<double> follow(Index query)
     {
         const Pair pair = view();
         const auto now = FaceTracker<DoublePrecision>{pair, cellsOf(data_, *fields_)}.follow(query);
-        fields_->face.data()[query] = now.face;
-        fields_->xi.data<double>()[query] = now.xi;
-        fields_->eta.data<double>()[query] = now.eta;
+        fields_->face.data()[query] = now.face[0];
+        fields_->xi.data<double>()[query] = now.xi[0];
+        fields_->eta.data<double>()[query] = now.eta[0];
         return now;
-    }
-
-    RidgeFaces<DoublePrecision> ridge(Index query, const Tracked<double>& now)
-    {
-        return {view(), query, now.face, now.at};
     }
 
     /// Nearest partner of all faces, by trying each.

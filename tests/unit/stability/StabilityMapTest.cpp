@@ -196,11 +196,11 @@ TEST(MapReport, CallsNothingABoundThatFailsBelowIt)
 
     map = judgedMap(0.5);
     map.points[4]->result.outcome = Outcome::energyDrift;
-    EXPECT_NE(conclusionOf(map).find("; with omega_c dt <= 0.5 it is one: failure begins at 1.6"),
+    EXPECT_NE(conclusionOf(map).find("; with omega_c dt <= 0.8 it is one: failure begins at 1.6"),
               std::string::npos)
         << conclusionOf(map);
     map.points[3]->result.outcome = Outcome::inverted;
-    EXPECT_NE(conclusionOf(map).find("; nor is it with omega_c dt <= 0.5: first failure at 0.4 of "
+    EXPECT_NE(conclusionOf(map).find("; nor is it with omega_c dt <= 0.8: first failure at 0.4 of "
                                      "both (inverted, normalScale 10)"),
               std::string::npos)
         << conclusionOf(map);
@@ -240,7 +240,7 @@ TEST(StabilityMap, FindsTheCaseOnItsMap)
     const auto own = ownPoint(spec, caseScene(trial.model));
     ASSERT_TRUE(own);
     EXPECT_EQ(own->y, 2);
-    // The step that fpmExplicit takes: 0.9 of the bound, or omega_c dt = 0.5.
+    // The step that fpmExplicit takes: 0.9 of the bound, or omega_c dt = 0.8.
     EXPECT_NEAR(own->x, std::min(0.9 * own->bounds.withContact, own->bounds.quality), 1e-9);
     EXPECT_EQ(own->point.result.outcome, Outcome::stable);
     EXPECT_TRUE(own->point.predictedStable);

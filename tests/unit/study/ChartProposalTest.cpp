@@ -72,13 +72,16 @@ TEST_F(ChartProposalTest, TakesThePartsPairsAndHistoriesThereAre)
     folder.write("constant/partProperties",
                  "parts { rod { model elastic; } foil { model elastoplastic; } "
                  "film { like foil; } die { model rigidPrescribed; } }");
-    folder.write("system/contactDict", "pairs { a { normalScale 2; } b { } }");
+    folder.write("system/contactDict",
+                 "pairs { a { normalScale 2; } b { } c { target wall; } "
+                 "d { target wall; enforcement penalty; } } surfaces { wall { type plane; } }");
     text = proposedChartDict(open());
     EXPECT_TRUE(contains(text, "parts.foil.hourglass.plastic"));
     EXPECT_FALSE(contains(text, "parts.rod."));
     EXPECT_FALSE(contains(text, "parts.film."));
-    EXPECT_TRUE(contains(text, "((0.6 0.3)"));
-    EXPECT_TRUE(contains(text, "(6 3))"));
+    EXPECT_TRUE(contains(text, "((0.6 0.3 0.3)"));
+    EXPECT_TRUE(contains(text, "(6 3 3))"));
+    EXPECT_FALSE(contains(text, "pairs.c."));
 }
 
 TEST_F(ChartProposalTest, RefusesACaseWithoutHistories)

@@ -1,5 +1,7 @@
 #include "study/Study.h"
 
+#include "case/CheckpointLabel.h"
+#include "io/Hdf5File.h"
 #include "unit/case/TemporaryCase.h"
 #include "unit/study/fakePrograms.h"
 
@@ -263,4 +265,106 @@ TEST_F(StudyTest, EndsARunAtItsTimeLimit)
     EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 1}).toDo(), 0u);
     EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2, .timeLimit = 5}).toDo(), 2u) << "more time now";
     EXPECT_EQ(study({"2", "4", "3"}, {.repeats = 2}).toDo(), 2u);
+}
+
+namespace {
+
+/// fpmExplicit that is stopped once it has begun, until there is a file `again` beside it, and ends
+/// with `code` when it goes on.
+std::string stopped(int code)
+{
+    return R"(#!/bin/sh
+echo "${0##*/} $*" >> "$(dirname "$0")/called"
+mkdir -p constant
+touch constant/mesh.vtkhdf
+printf 'state stopped;\nrunId "one";\n' > status
+[ "$2" != -continue ] || exit )"
+           + std::to_string(code) + R"(
+[ -e "$(dirname "$0")/again" ] || exit 75
+)";
+}
+
+class StoppedStudy : public StudyTest
+{
+protected:
+    /// Stops the run of n_2 at time 0.5, after 1000 seconds.
+    void stop(int codeAfterwards)
+    {
+        folder_.write("system/controlDict",
+                      "n 1;\nendTime 1;\nfunctions { tip { type point; } }\n");
+        programs_.write("fpmExplicit", stopped(codeAfterwards));
+        pipeline_ = Pipeline(programs_.path());
+        EXPECT_THROW(start(), Error);
+        const OutputFolder copy(folder_.root() / "postProcessing/chart/c/runs/n_2");
+        Hdf5Image().save(copy, checkpointFile,
+                         CheckpointLabel{"one", 0.5, 7, 1e-6, 1000, 2000}.text());
+        programs_.forgetCalls();
+    }
+    RunRow start()
+    {
+        auto one = study({"2"}, settings_);
+        said_.clear();
+        Log log = Log::into(said_);
+        one.run(log);
+        return one.rows(0).at(0);
+    }
+
+    StudySettings settings_;
+    std::string said_;
+};
+
+} // namespace
+
+TEST_F(StoppedStudy, GoesOnFromItsCheckpoint)
+{
+    stop(0);
+    folder_.write("constant/partProperties", "parts // a remark\n{ a { density 1; } }\n");
+    const RunRow row = start();
+
+    EXPECT_EQ(programs_.calls(), "fpmExplicit -noLog -continue\n") << "it has its mesh";
+    EXPECT_NE(said_.find("n_2 goes on from its checkpoint at time 0.5\n"), said_.npos) << said_;
+    EXPECT_TRUE(row.succeeded());
+    EXPECT_GT(row.wall, 1000) << "what it took before is part of it";
+    EXPECT_GE(row.cpu, 2000);
+}
+
+TEST_F(StoppedStudy, WhatItTookBeforeCountsAtItsTimeLimit)
+{
+    stop(0);
+    settings_.timeLimit = 900;
+    EXPECT_EQ(start().state, "fpmExplicit:timeLimit900");
+    settings_.timeLimit = 1100;
+    EXPECT_TRUE(start().succeeded());
+}
+
+TEST_F(StoppedStudy, BeginsAgainWhereItsInputsAreOthersAndSaysSo)
+{
+    stop(0);
+    folder_.write("constant/partProperties", "parts { a { density 2; } }\n");
+    EXPECT_THROW(start(), Error) << "stopped once more";
+    EXPECT_EQ(programs_.calls(), "fpmMesh -noLog\nfpmExplicit -noLog\n");
+    EXPECT_NE(said_.find("n_2 begins again: its dictionaries, mesh or programs are others now\n"),
+              said_.npos)
+        << said_;
+}
+
+TEST_F(StoppedStudy, BeginsAgainWhereItsCheckpointCannotBeUsed)
+{
+    stop(5);
+    test::writeBytes(programs_.path() / "again", "");
+    EXPECT_TRUE(start().succeeded());
+    EXPECT_EQ(programs_.calls(), "fpmExplicit -noLog -continue\nfpmMesh -noLog\n"
+                                 "fpmExplicit -noLog\n");
+    EXPECT_NE(said_.find("n_2 begins again: its checkpoints cannot be used\n"), said_.npos)
+        << said_;
+}
+
+TEST_F(StoppedStudy, BeginsAgainWhereItsCopyCannotBeRead)
+{
+    stop(0);
+    folder_.write("postProcessing/chart/c/runs/n_2/system/controlDict", "n 2;\nendTime soon;\n");
+    EXPECT_THROW(start(), Error) << "stopped once more";
+    EXPECT_NE(said_.find("n_2 begins again: what is left of it cannot be read: "), said_.npos)
+        << said_;
+    EXPECT_EQ(programs_.calls(), "fpmMesh -noLog\nfpmExplicit -noLog\n");
 }

@@ -60,13 +60,20 @@ struct CellLists {
     FPM_KERNEL void
     forEachFace(const ContactPassView<Numbers>& pass, Index node, const Found& found) const
     {
+        double x[3];
+        for (int c = 0; c < 3; ++c)
+            x[c] = double(pass.position[c * pass.nodeStride + std::size_t(node)]);
+        forEachEntry(x, found);
+    }
+    /// The same for a point.
+    template <class Found>
+    FPM_KERNEL void forEachEntry(const double (&point)[3], const Found& found) const
+    {
         double size = cellSize;
         for (Index level = 0; level < levels; ++level, size += size) {
             if (*listOfLevel(level) < 0) continue;
             std::int64_t cell[3];
-            for (int c = 0; c < 3; ++c)
-                cell[c] =
-                    cellOf(double(pass.position[c * pass.nodeStride + std::size_t(node)]), size);
+            for (int c = 0; c < 3; ++c) cell[c] = cellOf(point[c], size);
             for (int near = 0; near < 27; ++near) {
                 const std::int64_t x = cell[0] + near % 3 - 1, y = cell[1] + near / 3 % 3 - 1,
                                    z = cell[2] + near / 9 - 1;
@@ -76,6 +83,25 @@ struct CellLists {
             }
         }
         for (Index face = *listOfLevel(levels); face >= 0; face = entries[face].next) found(face);
+    }
+    /// Enters a box into the cell of its middle, on the first level whose cells are at least half
+    /// as wide.
+    FPM_KERNEL void insertBox(Index entry, const double (&middle)[3], double widest) const
+    {
+        double size = cellSize;
+        Index level = 0;
+        for (; level < levels && !(2 * size > 1.000001 * widest); ++level) size += size;
+        Index* last = listOfLevel(level);
+        if (level == levels) {
+            insert(entry, last, 0);
+            return;
+        }
+        std::int64_t cell[3];
+        for (int c = 0; c < 3; ++c) cell[c] = cellOf(middle[c], size);
+        insert(entry, list(cell[0], cell[1], cell[2], level),
+               nameOf(cell[0], cell[1], cell[2], level));
+        // Any entry: it only marks the level as used.
+        if (atomicLoadIndex(last) < 0) atomicExchangeIndex(last, entry);
     }
     FPM_KERNEL void insert(Index entry, Index* into, std::uint32_t cell) const
     {
@@ -106,20 +132,7 @@ struct InsertFace {
             const double wide = most - least + 2 * margin;
             widest = wide > widest ? wide : widest;
         }
-        double size = cells.cellSize;
-        Index level = 0;
-        for (; level < cells.levels && !(2 * size > 1.000001 * widest); ++level) size += size;
-        Index* last = cells.listOfLevel(level);
-        if (level == cells.levels) {
-            cells.insert(face, last, 0);
-            return;
-        }
-        std::int64_t cell[3];
-        for (int c = 0; c < 3; ++c) cell[c] = CellLists::cellOf(middle[c], size);
-        cells.insert(face, cells.list(cell[0], cell[1], cell[2], level),
-                     CellLists::nameOf(cell[0], cell[1], cell[2], level));
-        // Any face: it only marks the level as used.
-        if (atomicLoadIndex(last) < 0) atomicExchangeIndex(last, face);
+        cells.insertBox(face, middle, widest);
     }
 };
 

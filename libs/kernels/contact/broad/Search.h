@@ -104,6 +104,7 @@ struct SlotChoice {
             for (int slot = 0; slot < slots && !placed[match]; ++slot) {
                 const Index i = node + slot * pass.nodeCount;
                 if (pass.face[i] >= 0) continue;
+                EdgeLift<Numbers>{pass, i}.lift(found.best[match], {0, 0, 0});
                 update(i, found.best[match], false);
                 forgive(i, found.best[match].gap);
                 placed[match] = true;

@@ -3,6 +3,7 @@
 #include "kernels/contact/broad/Search.h"
 #include "kernels/contact/narrow/Overlap.h"
 #include "kernels/contact/narrow/Slip.h"
+#include "kernels/contact/narrow/SteadyContactors.h"
 
 namespace fpm {
 
@@ -13,7 +14,7 @@ namespace fpm {
 template <class Numbers, bool friction>
 struct ContactForce {
     using Work = typename Numbers::Work;
-    using Faces = ProjectionFaces<Numbers>;
+    using Point = ContactPoint<typename Numbers::Work>;
     ContactPassView<Numbers> pass;
     CellLists cells;
 
@@ -61,97 +62,77 @@ private:
             if (i >= pass.contactorCount) continue;
             const Index face = pass.face[i];
             if (steady.holds(lane))
-                applyForces(i, steady.tracked(lane, face), total);
+                applyForces(i, steady.at(lane, face), total);
             else if (face >= 0)
                 applyForces(i, FaceTracker<Numbers>{pass, cells}.follow(i), total);
             else if (face == noFace)
-                open(i, Work(1));
+                open(i, Work(1), Work(0), Work(-1));
         }
     }
-    /// Penalty spring, friction and damping against the face found in this step.
-    FPM_KERNEL void applyForces(Index i, const Tracked<Work>& now, const BlockForce& total) const
+    /// Penalty spring, friction and damping at the contact point of this step.
+    FPM_KERNEL void applyForces(Index i, Point at, const BlockForce& total) const
     {
-        const Place<Work> origin{pass.face[i], pass.xi[i], pass.eta[i]};
-        const Index face = now.face;
-        pass.face[i] = face;
-        pass.xi[i] = now.xi;
-        pass.eta[i] = now.eta;
-        const Projection<Work>& at = now.at;
-        const Partner partner = partnerOf(i, now);
+        pass.face[i] = at.face[0];
+        pass.xi[i] = at.xi[0];
+        pass.eta[i] = at.eta[0];
+        const Partner partner = partnerOf(i, at);
         const Work stiffness = partner.stiffness;
-        const Work gapChange = pass.law.damps() ? approach(i, face, at) : Work(0);
-        if (now.beyond || !(at.gap < pass.reach)) {
-            if (now.beyond && at.gap < 0) {
+        const Work gapChange =
+            pass.law.asksGapChange(i, at.gap) ? Slip<Numbers>{pass, i}.approach(at) : Work(0);
+        if (at.beyond || !(at.gap < pass.reach)) {
+            if (at.beyond && at.gap < 0) {
                 if (pass.law.springEnergy[i] > 0) atomicAdd64(pass.counts + countOverEdge, 1);
                 release(i);
             }
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, at.beyond ? Work(-1) : at.gap);
             return;
         }
         if (-at.gap > partner.thickness) {
             release(i);
             atomicAdd64(pass.counts + countReleased, 1);
-            open(i, stiffness, gapChange);
+            open(i, stiffness, gapChange, at.gap);
             return;
         }
         const Work gap = relievedGap(pass, i, at.gap, stiffness);
-        Vec3<Work> force{0, 0, 0};
-        Vec3<Work> frictionPart{0, 0, 0};
-        const bool hasFriction = friction && gap < 0;
-        const Faces here = hasFriction ? Faces(pass, i, face, at) : Faces();
+        Work normalForce = 0;
+        Vec3<Work> along{0, 0, 0}, held{0, 0, 0};
         if (gap < 0) {
-            const Work normalForce =
+            normalForce =
                 pass.law.normalForce(i, stiffness, gap, partner.mass, gapChange, pass.clock->step);
-            Vec3<Work> held{0, 0, 0};
-            force = normalForce * at.normal;
-            if constexpr (friction) {
-                const Vec3<Work> along =
-                    tangential(i, now, here, origin, stiffness, normalForce, held);
-                force += along;
-                if (!pass.law.friction.paper) frictionPart = along;
-            }
+            if constexpr (friction) along = tangential(i, at, stiffness, normalForce, held);
             pass.law.springEnergy[i] = pass.law.energy(stiffness, gap, held);
             if (pass.heldStiffness) pass.heldStiffness[i] = stiffness;
         } else
-            open(i, stiffness, gapChange);
-        distribute(i, now, gap < 0, here, force, frictionPart, stiffness, total);
+            open(i, stiffness, gapChange, gap);
+        distribute(i, at, gap < 0, normalForce, along, stiffness, total);
     }
 
-    /// Stiffness, mass and thickness of the target at a contactor. Where several faces share its
-    /// projection point, they all count: the mean stiffness, since each bears an equal share with a
+    /// Stiffness, mass and thickness of the target at a contactor. Where several faces bear it,
+    /// they all count: the mean stiffness by their weights, since each bears its share with a
     /// spring of its own, the least mass, and the largest thickness. A closed spring keeps the
     /// stiffness with which it closed: then its force has a potential also where the contactor
-    /// slides onto faces of another stiffness.
-    FPM_KERNEL Partner partnerOf(Index i, const Tracked<Work>& now) const
+    /// slides onto faces of another stiffness. `at`: receives the faces that share the projection
+    /// point, where they matter.
+    FPM_KERNEL Partner partnerOf(Index i, Point& at) const
     {
         const PassLaw<Work>& law = pass.law;
-        const Index face = now.face;
         const bool damps = law.damps(), held = pass.heldStiffness && law.springEnergy[i] > 0
                                                && pass.heldStiffness[i] > 0;
-        Partner out{law.stiffness(i, pass.faceStiffness[face]),
-                    damps ? law.lesserMass(i, pass.faceMass[face]) : Work(0),
-                    Work(pass.faceThickness[face])};
-        const bool asked = damps || (pass.heldStiffness && !held) || -now.at.gap > out.thickness;
-        if (asked && isOnBorder(now.at.xi, now.at.eta)) addOthers(i, now, out);
+        Partner out{0, 0, Work(pass.faceThickness[at.face[0]])};
+        if ((friction && at.gap < 0) || damps || (pass.heldStiffness && !held)
+            || -at.gap > out.thickness)
+            at.addSharers(pass, i);
+        for (int k = 0; k < at.count; ++k) {
+            const Index face = at.face[k];
+            const Work thickness = Work(pass.faceThickness[face]);
+            if (thickness > out.thickness) out.thickness = thickness;
+            out.stiffness += at.weight[k] * law.stiffness(i, pass.faceStiffness[face]);
+            if (!damps) continue;
+            const Work mass = law.lesserMass(i, pass.faceMass[face]);
+            if (k == 0 || (mass > 0 && !(out.mass > 0 && out.mass < mass))) out.mass = mass;
+        }
         if (held) out.stiffness = pass.heldStiffness[i];
         return out;
-    }
-    FPM_KERNEL void addOthers(Index i, const Tracked<Work>& now, Partner& out) const
-    {
-        Work count = 1;
-        FacesAroundProjection<Numbers>{pass, i}.forEach(
-            {now.face, now.at.xi, now.at.eta}, [&](const Place<Work>& other, const Vec3<Work>&) {
-                const std::size_t face = std::size_t(other.face);
-                const Work thickness = Work(pass.faceThickness[face]);
-                if (thickness > out.thickness) out.thickness = thickness;
-                out.stiffness += pass.law.stiffness(i, pass.faceStiffness[face]);
-                count += 1;
-                if (!pass.law.damps()) return true;
-                const Work mass = pass.law.lesserMass(i, pass.faceMass[face]);
-                if (mass > 0 && !(out.mass > 0 && out.mass < mass)) out.mass = mass;
-                return true;
-            });
-        out.stiffness = out.stiffness / count;
     }
     FPM_KERNEL void release(Index i) const
     {
@@ -160,71 +141,62 @@ private:
     }
     /// Separated: no force. A contactor that was separated before has no stored energy to account
     /// for.
-    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange = 0) const
+    FPM_KERNEL void open(Index i, Work stiffness, Work gapChange, Work gap) const
     {
         if (!(pass.law.springEnergy[i] > 0)) return;
-        pass.law.open(i, stiffness, gapChange);
+        pass.law.open(i, stiffness, gapChange, gap);
     }
 
-    /// Change of the gap in this step, Delta g_N.
-    FPM_KERNEL Work approach(Index i, Index face, const Projection<Work>& at) const
-    {
-        return dot(Slip<Numbers>{pass, i}.relativeDisplacement(face, at), at.normal);
-    }
     /// Tangential force on the contactor. The stored traction is convected with its face; where the
     /// contactor has moved to another face, it is rotated from the old face in its current position
-    /// into the new one. `here`: the faces at the projection point; `held`: receives the traction
-    /// as stored.
-    FPM_KERNEL Vec3<Work> tangential(Index i,
-                                     const Tracked<Work>& now,
-                                     const Faces& here,
-                                     const Place<Work>& origin,
-                                     Work stiffness,
-                                     Work normalForce,
-                                     Vec3<Work>& held) const
+    /// into the new one. `held`: receives the traction as stored.
+    FPM_KERNEL Vec3<Work>
+    tangential(Index i, const Point& at, Work stiffness, Work normalForce, Vec3<Work>& held) const
     {
         const PassLaw<Work>& law = pass.law;
         const Slip<Numbers> measure{pass, i};
-        const Index face = now.face;
-        const Projection<Work>& at = now.at;
+        // Inside a ridge the faces push against each other: what is left of that is the bound.
+        Vec3<Work> push = at.push[0];
+        for (int k = 1; k < at.count; ++k) push += at.push[k];
+        const Work pressing = at.count > 1 ? normalForce * dot(push, at.normal) : normalForce;
         held = law.storedForce(i);
         if (law.friction.paper) {
-            const Vec3<Work> slip = inPlane(measure.relativeDisplacement(face, at), at.normal);
-            return held = law.slide(i, held, slip, stiffness, normalForce, pass.clock->step);
+            const Vec3<Work> slip = inPlane(measure.displacement(at), at.normal);
+            return held = law.slide(i, held, slip, stiffness, pressing, pass.clock->step);
         }
-        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
-        const FaceFrame<Work> frame(corners);
-        if (law.frictionFace[i] != face) {
-            if (dot(held, held) > 0) {
-                const FaceFrame<Work> old(pass.corners(law.frictionFace[i], pass.contactor[i]));
-                held = frame.components(old.vector(held, at.normal), at.normal);
-            }
-            law.frictionFace[i] = face;
+        const Index face = at.face[0];
+        const FaceFrame<Work> frame(pass.corners(face, pass.contactor[i]));
+        Vec3<Work> force{0, 0, 0};
+        if (dot(held, held) > 0) {
+            const Index last = law.frictionFace[i];
+            if (last != face)
+                held = componentsIn(
+                    frame, vectorIn(FaceFrame<Work>(pass.corners(last, pass.contactor[i])), held));
+            force = vectorIn(frame, held);
         }
-        Vec3<Work> displacement =
-            inPlane(measure.displacement(now, here, corners, origin), at.normal);
-        const Directions<Work> across = measure.acrossMirrors(now, here);
-        if (across.count > 0) {
-            displacement = across.without(displacement);
-            const Vec3<Work> force = frame.vector(held, at.normal), left = across.without(force);
-            law.lose(i, dot(force, force) - dot(left, left), stiffness);
-            held = frame.components(left, at.normal);
+        law.frictionFace[i] = face;
+        const Work stored = dot(force, force);
+        Vec3<Work> slip = measure.objective(at, force);
+        force = intoPlane(force, at.normal);
+        if (pass.mirrorsOf(i) != 0) {
+            slip = measure.alongMirrors(slip, at.normal);
+            force = measure.alongMirrors(force, at.normal);
         }
-        const Vec3<Work> slip = frame.components(displacement, at.normal);
-        held = law.slide(i, held, slip, stiffness, normalForce, pass.clock->step);
-        return frame.vector(held, at.normal);
+        // What the turns of several faces, or of a face and its image, cancel is not given back.
+        if (at.count > 1 || pass.mirrorsOf(i) != 0)
+            law.lose(i, stored - dot(force, force), stiffness);
+        force = law.slide(i, force, slip, stiffness, pressing, pass.clock->step);
+        law.store(i, componentsIn(frame, force));
+        return held = force;
     }
 
-    /// Adds the forces on the target and the force on the contactor, which is minus their exact
-    /// sum. `here`: the faces at the projection point, none without friction. `frictionPart`: the
-    /// part of the force that acts with a couple. Every spring within reach enters the stability
-    /// bound before it closes.
+    /// Adds the forces on the faces, each its share, and the force on the contactor, which is minus
+    /// their exact sum. Every spring within reach enters the stability bound before it closes.
     FPM_KERNEL void distribute(Index i,
-                               const Tracked<Work>& now,
+                               const Point& at,
                                bool closed,
-                               const Faces& here,
-                               const Vec3<Work>& force,
-                               const Vec3<Work>& frictionPart,
+                               Work normalForce,
+                               const Vec3<Work>& along,
                                Work stiffness,
                                const BlockForce& total) const
     {
@@ -232,64 +204,59 @@ private:
         const Work bound = Work(2) * pass.law.limitFactor * stiffness;
         const Index number = pass.contactNumber[pass.contactor[i]];
         std::int64_t own[3] = {0, 0, 0};
-        if (!closed)
-            addStiffnessToFace(now.face, now.at.xi, now.at.eta, bound);
-        else if (now.ridge)
-            distributeToFaces(i, RidgeFaces<Numbers>(pass, i, now.face, now.at), force,
-                              frictionPart, bound, own);
-        else if (friction && here.count > 1)
-            distributeToFaces(i, here, force, frictionPart, bound, own);
-        else
-            addToFace(i, now.face, now.at.xi, now.at.eta, force, frictionPart, bound, own);
+        for (int k = 0; k < at.count; ++k) {
+            const Vec3<Work> share = at.weight[k] * along;
+            const Work part = at.weight[k] * bound;
+            if (closed)
+                addToFace(i, at, k, multiplyAdd(normalForce, at.push[k], share), share, part, own);
+            else
+                addStiffnessToFace(at.face[k], at.xi[k], at.eta[k], part);
+        }
         if (closed) {
             sums.addForce(number, own);
             total.add(i, own);
         }
         sums.addStiffness(number, double(bound));
     }
-    /// Several faces take equal shares of the force and, on a border, of the couple.
-    template <class AnyFaces>
-    FPM_KERNEL void distributeToFaces(Index i,
-                                      const AnyFaces& faces,
-                                      const Vec3<Work>& force,
-                                      const Vec3<Work>& frictionPart,
-                                      Work bound,
-                                      std::int64_t (&own)[3]) const
-    {
-        const Work part = Work(1) / Work(faces.count);
-        for (int k = 0; k < faces.count; ++k)
-            addToFace(i, faces.face[k], faces.xi[k], faces.eta[k], part * faces.image(k, force),
-                      part * faces.image(k, frictionPart), part * bound, own);
-    }
-    /// Forces -N_I F on the four corners, and those of the couple; `own` takes the opposite of
-    /// their sum.
+    /// Forces -N_I F on the four corners of a face, and those of the couple of the friction part;
+    /// `own` takes the opposite of their sum. A face that is met by the contactor's image takes the
+    /// images of the forces.
     FPM_KERNEL void addToFace(Index i,
-                              Index face,
-                              Work xi,
-                              Work eta,
-                              const Vec3<Work>& force,
-                              const Vec3<Work>& frictionPart,
+                              const Point& at,
+                              int face,
+                              const Vec3<Work>& wholeForce,
+                              const Vec3<Work>& wholeAlong,
                               Work bound,
                               std::int64_t (&own)[3]) const
     {
+        const Index planes = at.planes[face];
+        const Vec3<Work> force = pass.mirrored(planes, wholeForce),
+                         along = pass.mirrored(planes, wholeAlong);
         Work n[4];
-        shapeFunctions(xi, eta, n);
+        shapeFunctions(at.xi[face], at.eta[face], n);
         CornerCouple<Work> couple;
-        if constexpr (friction)
+        if (friction && !pass.law.friction.paper)
             couple =
-                CornerCouple<Work>(pass.corners(face, pass.contactor[i]), xi, eta, frictionPart);
+                CornerCouple<Work>(at.corners(pass, i, face), at.xi[face], at.eta[face], along);
         const ContactSums& sums = pass.sums;
+        std::int64_t taken[3] = {0, 0, 0};
         for (int k = 0; k < 4; ++k) {
-            const Index corner = Index(pass.contactNumberAt(face, k));
+            const Index corner = Index(pass.contactNumberAt(at.face[face], k));
             Vec3<Work> onCorner = -n[k] * force;
             if constexpr (friction) onCorner += couple.at(k);
             const std::int64_t part[3] = {sums.scale.force(double(onCorner.x)),
                                           sums.scale.force(double(onCorner.y)),
                                           sums.scale.force(double(onCorner.z))};
-            for (int c = 0; c < 3; ++c) own[c] -= part[c];
+            for (int c = 0; c < 3; ++c) taken[c] -= part[c];
             sums.addForce(corner, part);
             sums.addStiffness(corner, double(n[k] * bound));
         }
+        if (planes != 0) {
+            taken[0] = sums.scale.force(double(wholeForce.x));
+            taken[1] = sums.scale.force(double(wholeForce.y));
+            taken[2] = sums.scale.force(double(wholeForce.z));
+        }
+        for (int c = 0; c < 3; ++c) own[c] += taken[c];
     }
     FPM_KERNEL void addStiffnessToFace(Index face, Work xi, Work eta, Work bound) const
     {

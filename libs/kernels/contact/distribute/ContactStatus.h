@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/ContactPassView.h"
+#include "kernels/contact/law/KinematicContact.h"
 #include "kernels/contact/law/RigidSurface.h"
 
 namespace fpm {
@@ -64,8 +65,8 @@ struct FaceStatus {
         if (pass.heldStiffness && pass.heldStiffness[i] > 0) stiffness = pass.heldStiffness[i];
         if (law.friction.acts()) {
             const Vec3<Work> held = law.storedForce(i);
-            out.friction = inDoubles(
-                law.frictionFace ? FaceFrame<Work>(corners).vector(held, at.normal) : held);
+            out.friction =
+                inDoubles(law.frictionFace ? vectorIn(FaceFrame<Work>(corners), held) : held);
             Work n[4];
             shapeFunctions(at.xi, at.eta, n);
             Vec3<Work> velocity = pass.velocityOf(pass.contactor[i]);
@@ -84,11 +85,13 @@ template <class Numbers>
 struct SurfaceStatus {
     using Work = typename Numbers::Work;
     SurfaceForce<Numbers> surface;
+    const double* reading; ///< where it is met exactly, see SurfaceReading; null: springs
 
     FPM_KERNEL bool operator()(Index i, ContactStatus& out) const
     {
         const SurfaceForce<Numbers>& s = surface;
-        if (!(s.law.springEnergy[i] > 0)) return false;
+        const Vec3<double> force = reading ? read(i) : Vec3<double>{0, 0, 0};
+        if (reading ? !(dot(force, force) > 0) : !(s.law.springEnergy[i] > 0)) return false;
         const std::size_t node = std::size_t(s.contactor[i]);
         const double now = s.clock->time, step = s.clock->step;
         const Vec3<double> moved = s.shape.displacement(s.amplitudeRows, now);
@@ -98,7 +101,7 @@ struct SurfaceStatus {
         out.weight = weightOn(s.law.mirrors ? s.law.mirrors[i] : 0u);
         out.depth = at.gap < 0 ? -at.gap : 0;
         if (s.law.friction.acts()) {
-            out.friction = inDoubles(s.law.storedForce(i));
+            out.friction = reading ? inPlane(force, at.normal) : inDoubles(s.law.storedForce(i));
             Vec3<double> velocity{double(s.velocity[node]), double(s.velocity[s.nodeStride + node]),
                                   double(s.velocity[2 * s.nodeStride + node])};
             if (s.shape.moves && step > 0)
@@ -107,8 +110,18 @@ struct SurfaceStatus {
                     - (1 / step) * (moved - s.shape.displacement(s.amplitudeRows, now - step));
             out.slip = inPlane(velocity, at.normal);
         }
-        out.normal = normalForceOf(s.law, i, double(s.law.stiffness(i, Work(0))), out.friction);
+        out.normal =
+            reading ? dot(force, at.normal)
+                    : normalForceOf(s.law, i, double(s.law.stiffness(i, Work(0))), out.friction);
         return true;
+    }
+
+private:
+    FPM_KERNEL Vec3<double> read(Index i) const
+    {
+        const std::size_t plane = std::size_t(surface.contactorCount);
+        const double* of = reading + std::size_t(readForce) * plane + std::size_t(i);
+        return {of[0], of[plane], of[2 * plane]};
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include "kernels/BlockSum.h"
 #include "kernels/contact/distribute/ForceSum.h"
+#include "kernels/contact/law/KinematicContact.h"
 
 namespace fpm {
 
@@ -23,6 +24,8 @@ struct PassSums {
     Index count;
     const double *springEnergy, *dissipated, *damped, *surfaceWork, *injected; ///< null: none
     const double* surfaceForce;     ///< of an analytic surface, three planes; null: of faces
+    const double* reading;          ///< of one that is met exactly, see SurfaceReading; then there
+                                    ///< is no spring
     const std::int64_t* blockForce; ///< of faces, see BlockForce; null: of an analytic surface
     ForceScale scale;
     double* blockSum; ///< [block][passSums]
@@ -56,10 +59,25 @@ private:
         const double* const from[] = {springEnergy, nullptr,     dissipated,
                                       damped,       surfaceWork, injected};
         for (int k = 0; k < sumForce; ++k) out[k * contactBlock] = from[k] ? from[k][i] : 0;
-        out[sumTouching * contactBlock] = springEnergy[i] > 0 ? 1 : 0;
         for (int c = 0; c < 3; ++c)
             out[(sumForce + c) * contactBlock] =
                 surfaceForce ? surfaceForce[std::size_t(c) * std::size_t(count) + i] : 0;
+        if (reading)
+            fetchReading(i, out);
+        else
+            out[sumTouching * contactBlock] = springEnergy[i] > 0 ? 1 : 0;
+    }
+    FPM_KERNEL void fetchReading(std::size_t i, double* out) const
+    {
+        const auto read = [&](int k) { return reading[std::size_t(k) * std::size_t(count) + i]; };
+        const Vec3<double> force{read(readForce), read(readForce + 1), read(readForce + 2)};
+        out[sumTouching * contactBlock] = dot(force, force) > 0 ? 1 : 0;
+        out[sumDissipated * contactBlock] += read(readDissipated);
+        out[sumDamped * contactBlock] += read(readImpact);
+        out[sumSurfaceWork * contactBlock] += read(readWork);
+        out[sumForce * contactBlock] = force.x;
+        out[(sumForce + 1) * contactBlock] = force.y;
+        out[(sumForce + 2) * contactBlock] = force.z;
     }
     FPM_KERNEL double forceOf(Index number, Index c) const
     {

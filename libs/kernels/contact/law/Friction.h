@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Types.h"
 #include "kernels/contact/narrow/FaceProjection.h"
 #include "parallel/ExpLog.h"
 
@@ -23,9 +24,54 @@ struct FrictionLaw {
     }
 };
 
+/// Resistance of a sliding contactor to fluctuations of its slip rate. Steady sliding of an elastic
+/// body with Coulomb's friction is unstable (Adams 1995; Martins, Guimaraes and Faria 1995): waves
+/// of a few elements grow until contactors stick by turns, and the mean friction falls below mu
+/// times the mean normal force. An instantaneous resistance to faster slip, whose mean is zero,
+/// makes it stable (Rice, Lapusta and Ranjith 2001). Its force 2 zeta sqrt(k m) (v - v') acts along
+/// the slip, v' the slip rate averaged over `memory` sqrt(m / k); changes within `steady` of v',
+/// such as those of a body that brakes, are free of it.
+template <class Work>
+struct SlipDamping {
+    Work ratio; ///< zeta
+    Work* mean; ///< v' of each contactor; 0: not known; null: no such damping
+
+    static constexpr double memory = 0.3, steady = 1e-3;
+    static constexpr double stable = 0.7; ///< most of m / dt: the rate of the last step resists
+
+    FPM_KERNEL bool acts() const { return mean != nullptr; }
+    FPM_KERNEL void forget(Index i) const
+    {
+        if (acts()) mean[i] = 0;
+    }
+    /// Another slot goes on with the same slip.
+    FPM_KERNEL void handOver(Index from, Index to) const
+    {
+        if (!acts()) return;
+        mean[to] = mean[from];
+        mean[from] = 0;
+    }
+    /// Force beside mu N; the mean follows.
+    FPM_KERNEL Work resistance(Index i, Work slip, Work stiffness, Work mass, double step) const
+    {
+        if (!acts() || !(step > 0) || !(mass > 0) || !(stiffness > 0)) return Work(0);
+        const Work period = squareRoot(mass / stiffness), rate = slip / Work(step), was = mean[i];
+        const Work span = Work(memory) * period, change = was > 0 ? rate - was : Work(0);
+        const bool follows = !(was > 0) || !(span > Work(step));
+        mean[i] = follows ? rate : was + Work(step) / span * change;
+        const Work free = Work(steady) * was, size = change < 0 ? -change : change;
+        if (!(size > free)) return Work(0);
+        const Work excess = change < 0 ? free - size : size - free;
+        const Work factor = Work(2) * ratio * stiffness * period,
+                   most = Work(stable) * mass / Work(step);
+        return (factor < most ? factor : most) * excess;
+    }
+};
+
 /// Return mapping of friction, eqs. (17) and (18) of the paper: the trial traction is the stored
-/// one minus k_t times the slip increment (stick); beyond mu times the normal force it is scaled
-/// back to that bound (slip). The work of the plastic slip is added to `dissipated`.
+/// one minus k_t times the slip increment (stick); beyond mu times the normal force plus the
+/// `resistance`, between none and twice the former, it is scaled back to that bound (slip). The
+/// work of the plastic slip is added to `dissipated`.
 template <class Work>
 FPM_KERNEL Vec3<Work> frictionForce(const FrictionLaw<Work>& law,
                                     const Vec3<Work>& stored,
@@ -33,10 +79,13 @@ FPM_KERNEL Vec3<Work> frictionForce(const FrictionLaw<Work>& law,
                                     Work tangentialStiffness,
                                     Work normalForce,
                                     double step,
-                                    double& dissipated)
+                                    double& dissipated,
+                                    Work resistance = Work(0))
 {
     const Vec3<Work> trial = stored - tangentialStiffness * slip;
-    const Work most = law.coefficient(squareRoot(dot(slip, slip)), step) * normalForce;
+    const Work coulomb = law.coefficient(squareRoot(dot(slip, slip)), step) * normalForce;
+    const Work less = resistance < -coulomb ? -coulomb : resistance,
+               most = coulomb + (less < coulomb ? less : coulomb);
     const Work size = squareRoot(dot(trial, trial));
     if (!(size > most)) return trial;
     const Vec3<Work> capped = (most / size) * trial;
@@ -62,6 +111,15 @@ FPM_KERNEL Vec3<Work> turnedPlane(const Vec3<Work>& v, const Vec3<Work>& from, c
     return v - (dot(to, v) / onePlusCosine) * (from + to);
 }
 
+/// Vector turned into a plane by the smallest rotation; its length is kept.
+template <class Work>
+FPM_KERNEL Vec3<Work> intoPlane(const Vec3<Work>& v, const Vec3<Work>& normal)
+{
+    const Vec3<Work> part = inPlane(v, normal);
+    const Work square = dot(part, part);
+    return square > 0 ? squareRoot(dot(v, v) / square) * part : part;
+}
+
 template <class Work>
 FPM_KERNEL Vec3<Work> unit(const Vec3<Work>& v)
 {
@@ -81,30 +139,33 @@ struct FaceFrame {
         e1 = unit(inPlane((x[1] - x[0]) + (x[2] - x[3]), normal));
         e2 = cross(normal, e1);
     }
-    /// Components (x, y) of a vector of the plane with normal n.
-    FPM_KERNEL Vec3<Work> components(const Vec3<Work>& v, const Vec3<Work>& n) const
-    {
-        const Vec3<Work> mine = turnedPlane(v, n, normal);
-        return {dot(mine, e1), dot(mine, e2), Work(0)};
-    }
-    /// Vector of the plane with normal n that has these components.
-    FPM_KERNEL Vec3<Work> vector(const Vec3<Work>& components, const Vec3<Work>& n) const
-    {
-        return turnedPlane(components.x * e1 + components.y * e2, normal, n);
-    }
 };
 
-/// Displacement of the projection point over the material of a face, from (xiOld, etaOld) to (xi,
-/// eta) on the face in its current position: exact for a bilinear face, and zero for any rigid
-/// motion of both bodies.
+/// Orthonormal frame convected with the material point (xi, eta) of a face: by the mean turn of
+/// both tangents, so the numbering of the corners does not matter.
 template <class Work>
-FPM_KERNEL Vec3<Work>
-slipOnFace(const FaceCorners<Work>& face, Work xiOld, Work etaOld, Work xi, Work eta)
+struct PointFrame {
+    Vec3<Work> e1, e2, normal;
+
+    FPM_KERNEL PointFrame(const FaceCorners<Work>& face, Work xi, Work eta)
+    {
+        Vec3<Work> offset, t1, t2;
+        evaluateFace(face, xi, eta, offset, t1, t2);
+        normal = faceNormal(face, t1, t2);
+        e1 = unit(unit(t1) + unit(t2));
+        e2 = cross(normal, e1);
+    }
+};
+/// Components of a vector in an orthonormal frame (FaceFrame, PointFrame), and back.
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> componentsIn(const Frame& frame, const Vec3<Work>& v)
 {
-    Vec3<Work> offset, t1, t2;
-    const Work half = Work(0.5);
-    evaluateFace(face, half * (xi + xiOld), half * (eta + etaOld), offset, t1, t2);
-    return (xi - xiOld) * t1 + (eta - etaOld) * t2;
+    return {dot(v, frame.e1), dot(v, frame.e2), dot(v, frame.normal)};
+}
+template <class Frame, class Work>
+FPM_KERNEL Vec3<Work> vectorIn(const Frame& frame, const Vec3<Work>& c)
+{
+    return c.x * frame.e1 + c.y * frame.e2 + c.z * frame.normal;
 }
 
 /// Corner forces without resultant that have the moment of a couple, conjugate to the spin of the

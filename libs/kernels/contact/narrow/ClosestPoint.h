@@ -65,7 +65,7 @@ FPM_KERNEL bool pullsInwards(const FaceCorners<Work>& face, const FacePoint<Work
                                : rim.where == 1 ? -t1
                                : rim.where == 2 ? -t2
                                                 : t1;
-    const Work pull = dot(r, inwards), little = sizeof(Work) == 8 ? Work(1e-16) : Work(1e-8);
+    const Work pull = dot(r, inwards), little = ContactTolerances<Work>::inwards;
     return pull > 0 && pull * pull > little * rim.square * dot(inwards, inwards);
 }
 

@@ -50,6 +50,63 @@ FPM_KERNEL bool isPartner(const ContactPassView<Numbers>& pass,
     return true;
 }
 
+/// A contactor that slides over a slit between two flush bodies comes over the edge of the second a
+/// little below its surface, as deep as its springs: the side face is nearer and would stop it. As
+/// if the edge were rounded by the height `lift`, it is taken to be inside the face along which it
+/// moves, not the one that it runs into.
+template <class Numbers>
+struct EdgeLift {
+    using Work = typename Numbers::Work;
+    const ContactPassView<Numbers>& pass;
+    Index i;
+
+    /// Replaces a face by its neighbour across a sharp edge close above. `before`: normal of the
+    /// face in contact before, which this one then follows; 0: none, the motion tells.
+    FPM_KERNEL void lift(Candidate<Work>& side, const Vec3<Work>& before) const
+    {
+        const FacePoint<Work>& point = side.point;
+        if (!(side.gap < 0) || point.where != insideFace) return;
+        const Work two = Work(2) * ContactTolerances<Work>::lift;
+        const FaceCorners<Work> corners = pass.corners(side.face, pass.contactor[i]);
+        const Vec3<Work> normal = gapAt(corners, point.xi, point.eta).normal;
+        if (dot(before, normal) > ContactTolerances<Work>::sharp) return;
+        for (int axis = 0; axis < 2; ++axis) {
+            const Work at = axis == 0 ? point.xi : point.eta;
+            if (!(magnitude(at) > 1 - two)) continue;
+            const Index across =
+                pass.neighbour[4 * std::size_t(side.face)
+                               + std::size_t(axis == 0 ? (at > 0 ? 1 : 3) : (at > 0 ? 2 : 0))];
+            Candidate<Work> top;
+            if (across < 0 || !isPartner(pass, i, across / 4, top) || !(top.gap < 0)
+                || top.point.where != insideFace)
+                continue;
+            const Vec3<Work> up =
+                gapAt(pass.corners(top.face, pass.contactor[i]), top.point.xi, top.point.eta)
+                    .normal;
+            if (!(dot(up, normal) < ContactTolerances<Work>::sharp)) continue;
+            if (dot(before, before) > 0 ? dot(before, up) > ContactTolerances<Work>::sharp
+                                        : runsAlong(side, up, normal)) {
+                side = top;
+                return;
+            }
+        }
+    }
+
+private:
+    /// Whether the contactor moves along the face with normal `up` rather than into it.
+    FPM_KERNEL bool
+    runsAlong(const Candidate<Work>& side, const Vec3<Work>& up, const Vec3<Work>& normal) const
+    {
+        Work n[4];
+        shapeFunctions(side.point.xi, side.point.eta, n);
+        Vec3<Work> velocity = pass.velocityOf(pass.contactor[i]);
+        for (int k = 0; k < 4; ++k)
+            velocity =
+                velocity - n[k] * pass.velocityOf(pass.faceNode[4 * std::size_t(side.face) + k]);
+        return magnitude(dot(velocity, up)) < magnitude(dot(velocity, normal));
+    }
+};
+
 /// Compares true distances; of equal distances the lower face number is nearer.
 template <class Work>
 FPM_KERNEL bool isNearer(const Candidate<Work>& a, const Candidate<Work>& b)

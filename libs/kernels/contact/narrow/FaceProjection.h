@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/contact/narrow/Tolerances.h"
 #include "parallel/Vec3.h"
 
 namespace fpm {
@@ -28,6 +29,13 @@ FPM_KERNEL void shapeFunctions(T xi, T eta, T (&n)[4])
     n[3] = q * (1 - xi) * (1 + eta);
 }
 
+template <class T>
+FPM_KERNEL T squareOfDiagonal(const FaceCorners<T>& face)
+{
+    const Vec3<T> diagonal = face.corner[2] - face.corner[0];
+    return dot(diagonal, diagonal);
+}
+
 /// Position and tangents of the bilinear face at (xi, eta); `offset` is contactor minus point.
 template <class T>
 FPM_KERNEL void
@@ -40,6 +48,14 @@ evaluateFace(const FaceCorners<T>& face, T xi, T eta, Vec3<T>& offset, Vec3<T>& 
     const T q = T(0.25);
     t1 = (q * (1 - eta)) * (x[1] - x[0]) + (q * (1 + eta)) * (x[2] - x[3]);
     t2 = (q * (1 - xi)) * (x[3] - x[0]) + (q * (1 + xi)) * (x[2] - x[1]);
+}
+
+template <class T>
+FPM_KERNEL Vec3<T> offsetOn(const FaceCorners<T>& face, T xi, T eta)
+{
+    Vec3<T> offset, t1, t2;
+    evaluateFace(face, xi, eta, offset, t1, t2);
+    return offset;
 }
 
 /// One Newton step of the closest-point projection onto a bilinear quadrilateral, r . t1 = r . t2 =
@@ -75,8 +91,7 @@ FPM_KERNEL MaskOf<T> projectionStep(const FaceCorners<T>& face, T& xi, T& eta, T
 template <class T>
 FPM_KERNEL MaskOf<T> projectWhere(MaskOf<T> wanted, const FaceCorners<T>& face, T& xi, T& eta)
 {
-    // The next step would have the order of the square of this one: rounding.
-    const T enough = T(sizeof(ScalarOf<T>) == 8 ? 1e-7 : 1e-4);
+    const T enough = T(ContactTolerances<ScalarOf<T>>::projected);
     MaskOf<T> found = wanted & !wanted, going = wanted;
     for (int iteration = 0; iteration < 10 && NumberTraits<T>::any(going); ++iteration) {
         T nextXi = xi, nextEta = eta, size;
@@ -95,32 +110,18 @@ FPM_KERNEL bool project(const FaceCorners<Work>& face, Work& xi, Work& eta)
     return projectWhere(true, face, xi, eta);
 }
 
-/// Width of the border of a face in natural coordinates: wider than rounding, but no wider, or a
-/// contactor would be kept on a face although the next one is nearer.
-template <class T>
-FPM_KERNEL T borderWidth()
-{
-    return T(sizeof(ScalarOf<T>) == 8 ? 1e-12 : 1e-5);
-}
-/// Square of the ratio of a distance to a face's diagonal below which the direction of the distance
-/// is rounding.
-template <class T>
-FPM_KERNEL T negligibleSquare()
-{
-    return T(sizeof(ScalarOf<T>) == 8 ? 1e-20 : 1e-8);
-}
 /// Natural coordinate clamped to the face; values within the border width of it are placed on it.
 template <class T>
 FPM_KERNEL T clampedUnit(T value)
 {
-    const T one = T(1), inner = one - borderWidth<T>();
+    const T one = T(1), inner = one - T(ContactTolerances<ScalarOf<T>>::border);
     return select(value > inner, one, select(value < -inner, -one, value));
 }
 /// Condition of eq. (14) of the paper: the projection point lies inside the face, borders included.
 template <class T>
 FPM_KERNEL MaskOf<T> isInside(T xi, T eta)
 {
-    const T border = T(1) + borderWidth<T>();
+    const T border = T(1) + T(ContactTolerances<ScalarOf<T>>::border);
     return (magnitude(xi) < border) & (magnitude(eta) < border);
 }
 
@@ -164,9 +165,10 @@ FPM_KERNEL Projection<T> gapAtClosest(const FaceCorners<T>& face, T xi, T eta)
 {
     Projection<T> out = gapAt(face, xi, eta);
     const T one = T(1), square = dot(out.offset, out.offset);
-    const Vec3<T> diagonal = face.corner[2] - face.corner[0];
     const MaskOf<T> inner = (magnitude(xi) < one) & (magnitude(eta) < one),
-                    line = (square > negligibleSquare<T>() * dot(diagonal, diagonal)) & !inner;
+                    line = (square > T(ContactTolerances<ScalarOf<T>>::noDirection)
+                                         * squareOfDiagonal(face))
+                           & !inner;
     if (!NumberTraits<T>::any(line)) return out;
     const T distance = squareRoot(square), gap = select(out.gap < T(0), -distance, distance);
     const Vec3<T> n = (one / gap) * out.offset;

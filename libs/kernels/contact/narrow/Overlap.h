@@ -16,8 +16,8 @@ struct MeasureOverlap {
         using Work = typename Numbers::Work;
         depth[i] = 0;
         if (pass.face[i] < 0) return;
-        const Tracked<Work> now = FaceTracker<Numbers>{pass, cells}.follow(i);
-        if (!now.beyond && now.at.gap < 0) depth[i] = notLess(-now.at.gap);
+        const ContactPoint<Work> at = FaceTracker<Numbers>{pass, cells}.follow(i);
+        if (!at.beyond && at.gap < 0) depth[i] = notLess(-at.gap);
     }
 };
 

@@ -32,7 +32,7 @@ FPM_KERNEL bool isNotOpposing(const ContactPassView<Numbers>& pass,
 {
     const auto own = pass.ownNormalOf(contactor);
     using Work = typename Numbers::Work;
-    return dot(own, own) > 0 && !(dot(normal, own) < Work(-0.01));
+    return dot(own, own) > 0 && !(dot(normal, own) < ContactTolerances<Work>::opposing);
 }
 
 /// Signed distance to the surface at the closest point of one face. Inside the face it is measured
@@ -45,9 +45,6 @@ struct SignedGap {
     using Work = typename Numbers::Work;
     const ContactPassView<Numbers>& pass;
     Index contactor;
-    /// Fraction of half the face's width by which a contactor may lie beyond a free edge and stay
-    /// in contact: wider than rounding and the chords of a round rim.
-    static constexpr double edgeMargin = 0.02;
 
     FPM_KERNEL FaceCorners<Work> corners(Index face) const
     {
@@ -68,9 +65,8 @@ struct SignedGap {
             pseudo = fan(face, point.where - firstCorner, out.offset, beyond);
         const Work weight = dot(pseudo, pseudo);
         if (!(weight > 0)) return out;
-        const Work size = dot(here.corner[2] - here.corner[0], here.corner[2] - here.corner[0]);
         const Work square = dot(out.offset, out.offset);
-        if (square > negligibleSquare<Work>() * size) {
+        if (square > ContactTolerances<Work>::noDirection * squareOfDiagonal(here)) {
             const Work distance = squareRoot(square);
             out.gap = dot(out.offset, pseudo) < 0 ? -distance : distance;
             out.normal = (Work(1) / out.gap) * out.offset;
@@ -163,7 +159,7 @@ private:
                    over = dot(offset, outwards), square = dot(outwards, outwards);
         if (!(over > 0)) return false;
         offset = multiplyAdd(-over / square, outwards, offset);
-        return over > Work(0.25 * edgeMargin) * twoWidths
+        return over > Work(0.25) * ContactTolerances<Work>::beyondEdge * twoWidths
                && over * over > square * dot(offset, offset);
     }
 };

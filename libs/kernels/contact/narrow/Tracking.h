@@ -1,128 +1,9 @@
 #pragma once
 
+#include "kernels/contact/narrow/ContactPoint.h"
 #include "kernels/contact/narrow/FaceChoice.h"
-#include "kernels/contact/narrow/RidgeFaces.h"
 
 namespace fpm {
-
-/// Face of a contactor in this step and its signed distance to it.
-template <class Work>
-struct Tracked {
-    Index face;
-    Work xi, eta;
-    Projection<Work> at;
-    bool beyond; ///< it left the surface over a free edge
-    bool ridge;  ///< it lies inside a ridge, equally near to other faces: RidgeFaces
-};
-
-/// Narrow phase of the contactors from `first` on, one in each lane of T: closest-point projection
-/// from the last point. Contactors with a flat target within reach that stay over their face need
-/// nothing else; most of them do.
-template <class Numbers, class T>
-class SteadyContactors
-{
-public:
-    using Work = typename Numbers::Work;
-    static constexpr int lanes = NumberTraits<T>::lanes;
-
-    FPM_KERNEL SteadyContactors(const ContactPassView<Numbers>& pass, Index first)
-    {
-        alignas(T) Work corner[12][lanes], start[2][lanes], flat[lanes];
-        if (!areFlat(pass, first, flat)) {
-            store(holds_, T(0));
-            return;
-        }
-        for (int lane = 0; lane < lanes; ++lane) fetch(pass, first, lane, flat, corner, start);
-        FaceCorners<T> corners;
-        for (int k = 0; k < 4; ++k)
-            corners.corner[k] = {read<T>(corner[3 * k]), read<T>(corner[3 * k + 1]),
-                                 read<T>(corner[3 * k + 2])};
-        T xi = read<T>(start[0]), eta = read<T>(start[1]);
-        const MaskOf<T> inside =
-            projectWhere(read<T>(flat) > T(0), corners, xi, eta) & isInside(xi, eta);
-        if (!NumberTraits<T>::any(inside)) {
-            store(holds_, T(0));
-            return;
-        }
-        const Projection<T> at = gapAtClosest(corners, clampedUnit(xi), clampedUnit(eta));
-        store(holds_, select(inside & !nearsRidge(corners, at), T(1), T(0)));
-        const T values[9] = {at.xi,       at.eta,      at.gap,      at.normal.x, at.normal.y,
-                             at.normal.z, at.offset.x, at.offset.y, at.offset.z};
-        for (int k = 0; k < 9; ++k) store(values_[k], values[k]);
-    }
-
-    FPM_KERNEL bool holds(int lane) const { return holds_[lane] > 0; }
-    FPM_KERNEL Tracked<Work> tracked(int lane, Index face) const
-    {
-        const auto value = [&](int k) { return values_[k][lane]; };
-        return {face,
-                value(0),
-                value(1),
-                {value(0),
-                 value(1),
-                 {value(3), value(4), value(5)},
-                 {value(6), value(7), value(8)},
-                 value(2)},
-                false,
-                false};
-    }
-
-private:
-    /// Marks the lanes whose target is flat within reach; returns whether there is any.
-    FPM_KERNEL static bool
-    areFlat(const ContactPassView<Numbers>& pass, Index first, Work (&flat)[lanes])
-    {
-        bool any = false;
-        for (int lane = 0; lane < lanes; ++lane) {
-            const Index i = first + lane;
-            const bool here = !pass.cold && i < pass.contactorCount && pass.face[i] >= 0
-                              && pass.around[i] == aroundFlat;
-            flat[lane] = Work(here);
-            any |= here;
-        }
-        return any;
-    }
-    /// Corners of the face of one lane, and the last projection point of its contactor.
-    FPM_KERNEL static void fetch(const ContactPassView<Numbers>& pass,
-                                 Index first,
-                                 int lane,
-                                 const Work (&flat)[lanes],
-                                 Work (&corner)[12][lanes],
-                                 Work (&start)[2][lanes])
-    {
-        if (!(flat[lane] > 0)) {
-            start[0][lane] = start[1][lane] = 0;
-            for (int k = 0; k < 12; ++k) corner[k][lane] = 0;
-            return;
-        }
-        const Index i = first + lane, face = pass.face[i];
-        start[0][lane] = pass.xi[i];
-        start[1][lane] = pass.eta[i];
-        const FaceCorners<Work> corners = pass.corners(face, pass.contactor[i]);
-        for (int k = 0; k < 4; ++k) // the force sums are needed last
-            prefetch(pass.sums.values + 4 * pass.contactNumberAt(face, k));
-        prefetch(pass.sums.values + 4 * std::size_t(pass.contactNumber[pass.contactor[i]]));
-        for (int k = 0; k < 4; ++k) {
-            corner[3 * k][lane] = corners.corner[k].x;
-            corner[3 * k + 1][lane] = corners.corner[k].y;
-            corner[3 * k + 2][lane] = corners.corner[k].z;
-        }
-    }
-    /// Inside, and nearer to an edge than a tenth of the depth: inside a ridge, even one so blunt
-    /// that its faces count as flat, other faces may be equally near.
-    FPM_KERNEL static MaskOf<T> nearsRidge(const FaceCorners<T>& corners, const Projection<T>& at)
-    {
-        Vec3<T> r, t1, t2;
-        evaluateFace(corners, at.xi, at.eta, r, t1, t2);
-        const T zero = T(0), xi = T(1) - magnitude(at.xi), eta = T(1) - magnitude(at.eta),
-                square = T(0.01) * at.gap * at.gap;
-        return (at.gap < zero)
-               & (((xi > zero) & (xi * xi * dot(t1, t1) < square))
-                  | ((eta > zero) & (eta * eta * dot(t2, t2) < square)));
-    }
-
-    alignas(T) Work holds_[lanes], values_[9][lanes];
-};
 
 /// Tracks a contactor from face to face between searches, always to the nearest: projection from
 /// the last point and, where the surface is not flat, a test of the faces across nearby edges.
@@ -135,37 +16,67 @@ struct FaceTracker {
     const ContactPassView<Numbers>& pass;
     CellLists cells;
     static constexpr int maxHops = 16;
-    /// A squared distance has to be smaller by more than rounding to count as nearer.
-    static constexpr Work less = Work(1) - (sizeof(Work) == 8 ? Work(1e-12) : Work(1e-5));
+    static constexpr int mostCandidates = 32;
 
-    FPM_KERNEL Tracked<Work> follow(Index i) const
+    FPM_KERNEL ContactPoint<Work> follow(Index i) const
     {
         Candidate<Work> here;
         here.face = pass.face[i];
         FaceCorners<Work> corners = pass.corners(here.face, pass.contactor[i]);
-        if (pass.cold) {
+        RidgeFaces<Work> near;
+        if (pass.cold)
             aroundCorner(i, here, corners);
-            return measured(i, here, corners);
+        else {
+            here.point = closestPoint(corners, pass.xi[i], pass.eta[i]);
+            step(i, here, corners, near);
+            if (pass.around[i] == aroundIntricate && tryCells(i, here, corners)) {
+                // Stepping on from there might leave the partner that the search chose.
+                Candidate<Work> next = here;
+                FaceCorners<Work> unused = corners;
+                if (hopped(i, next, unused, near)) near.count = 0;
+            }
         }
-        here.point = closestPoint(corners, pass.xi[i], pass.eta[i]);
-        bool ridge = false;
-        for (int hop = 0; hop < maxHops && hopped(i, here, corners, ridge); ++hop)
-            if (hop == maxHops - 1)
-                pass.around[i] = aroundIntricate; // too far to step from face to face: search the
-                                                  // cells
-        if (pass.around[i] == aroundIntricate && !ridge) tryCells(i, here, corners);
-        Tracked<Work> out = measured(i, here, corners);
-        out.ridge = ridge && out.at.gap < 0;
+        bool beyond = false;
+        Projection<Work> at =
+            SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, beyond);
+        if (at.gap < 0 && !beyond && pass.around[i] == aroundIntricate && isNewInside(i)) {
+            here.gap = at.gap;
+            if (lifted(i, here, corners)) {
+                near.count = 0;
+                at = SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, beyond);
+                pass.overlap[i] = notLess(-at.gap);
+                atomicAdd64(pass.counts + countInside, 1);
+            }
+        }
+        ContactPoint<Work> out(here.face, at, beyond);
+        if (near.count > 0 && at.gap < 0 && !beyond) out.blend(near);
         return out;
     }
 
 private:
-    FPM_KERNEL Tracked<Work>
-    measured(Index i, const Candidate<Work>& here, const FaceCorners<Work>& corners) const
+    /// Whether a contactor had no contact before.
+    FPM_KERNEL bool isNewInside(Index i) const
     {
-        Tracked<Work> out{here.face, here.point.xi, here.point.eta, {}, false, false};
-        out.at = SignedGap<Numbers>{pass, i}.at(here.face, corners, here.point, out.beyond);
-        return out;
+        return !pass.cold && !(pass.law.springEnergy[i] > 0) && !(pass.overlap[i] > 0);
+    }
+    /// Moves a contactor that has come in over a sharp edge to the face above it, see EdgeLift.
+    FPM_KERNEL bool lifted(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    {
+        const Index side = here.face;
+        EdgeLift<Numbers>{pass, i}.lift(here, {0, 0, 0});
+        if (here.face == side) return false;
+        corners = pass.corners(here.face, pass.contactor[i]);
+        return true;
+    }
+    /// Steps from face to face to the nearest. `near`: receives those about as near, inside a
+    /// ridge.
+    FPM_KERNEL void
+    step(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, RidgeFaces<Work>& near) const
+    {
+        int hop = 0;
+        while (hop < maxHops && hopped(i, here, corners, near)) ++hop;
+        if (hop == maxHops) // too far to step from face to face: search the cells
+            pass.around[i] = aroundIntricate;
     }
 
     /// `projection cold`, as in the paper: projects onto every face around the corner nearest to
@@ -184,39 +95,101 @@ private:
         here.point = closestPoint(corners, Work(0), Work(0));
         pass.visitAround(
             start, nearest, [&](Index face) __attribute__((always_inline)) {
-                bool ridge = false;
-                if (face != start) moved(i, face, here, corners, ridge);
+                if (face != start) moved(i, face, here, corners, nullptr);
                 return true;
             });
     }
 
     /// Moves to a face that is nearer by more than rounding. Of faces that share the projection
     /// point it moves from one that does not oppose the contactor to one that does: otherwise their
-    /// shares of the force would depend on which of them is tracked. `ridge`: receives whether both
-    /// are equally near, each with a projection point inside it.
-    FPM_KERNEL bool moved(
-        Index i, Index other, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
+    /// shares of the force would depend on which of them is tracked. `near`: receives it where it
+    /// is about as near, inside a ridge; null: not asked.
+    FPM_KERNEL bool moved(Index i,
+                          Index other,
+                          Candidate<Work>& here,
+                          FaceCorners<Work>& corners,
+                          RidgeFaces<Work>* near) const
     {
         if (other == here.face || (pass.excludedStart && !pass.mayTouch(i, other))) return false;
         const FaceCorners<Work> there = pass.corners(other, pass.contactor[i]);
         const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
         const Work size = squareOfDiagonal(there);
-        bool turnedAway = false;
+        bool turnedAway = false, mayMove = true;
         if (isAsNear(found.square, here.point.square, size)) {
             const bool inside = found.where == insideFace && here.point.where == insideFace,
                        apart = areDistinctPoints(offsetOn(corners, here.point.xi, here.point.eta),
                                                  offsetOn(there, found.xi, found.eta), size);
-            ridge = ridge || (inside && apart);
             turnedAway = !apart && isNotOpposing(pass, i, normalAt(corners, here.point));
             // A change of face at one common point would be decided by rounding.
-            if (!turnedAway && (inside || !apart)) return false;
+            mayMove = turnedAway || (!inside && apart);
         }
-        if (!(turnedAway || found.square < less * here.point.square)
-            || isNotOpposing(pass, i, normalAt(there, found)))
+        // What does not oppose the contactor is no partner, however near.
+        const Vec3<Work> normal = normalAt(there, found);
+        if (isNotOpposing(pass, i, normal)) return false;
+        if (mayMove
+            && (turnedAway || found.square < ContactTolerances<Work>::nearer * here.point.square)) {
+            if (isHeldOver(i, here, corners, found, normal)) return false;
+            here = {other, found, 0};
+            corners = there;
+            return true;
+        }
+        if (near) addNear(i, {other, 0}, {0, 0, 0}, there, found, here, corners, *near);
+        return false;
+    }
+    /// Whether a contactor whose depth in the tracked face is forgiven stays on it beside the
+    /// nearer face across a sharp edge, over which it came (EdgeLift): less deep in what presses
+    /// it.
+    FPM_KERNEL bool isHeldOver(Index i,
+                               const Candidate<Work>& here,
+                               const FaceCorners<Work>& corners,
+                               const FacePoint<Work>& other,
+                               const Vec3<Work>& normal) const
+    {
+        if (!(pass.overlap[i] > 0) || here.point.where != insideFace
+            || !(dot(normalAt(corners, here.point), normal) < ContactTolerances<Work>::sharp))
             return false;
-        here = {other, found, 0};
-        corners = there;
-        return true;
+        const Work left = squareRoot(here.point.square) - Work(pass.overlap[i]);
+        return !(left > 0) || left * left < other.square;
+    }
+    /// Enters a face that a contactor inside is less than the blend's reach farther from than from
+    /// the tracked one. `there`: corners relative to the image of the contactor, `shift` from it.
+    FPM_KERNEL void addNear(Index i,
+                            const FaceImage& other,
+                            const Vec3<Work>& shift,
+                            const FaceCorners<Work>& there,
+                            const FacePoint<Work>& found,
+                            const Candidate<Work>& here,
+                            const FaceCorners<Work>& corners,
+                            RidgeFaces<Work>& near) const
+    {
+        const Projection<Work> first = gapAtClosest(corners, here.point.xi, here.point.eta);
+        Projection<Work> second = gapAtClosest(there, found.xi, found.eta);
+        if (!(first.gap < 0) || !(second.gap < 0)
+            || isHeldOver(i, here, corners, found, second.normal))
+            return;
+        second.normal = pass.mirroredBack(other.planes, second.normal);
+        second.offset = pass.mirroredBack(other.planes, second.offset);
+        // Of two the second has a weight where d_2 < d_1 (1 + f m_12); with others it may have one
+        // a little farther away.
+        const Work reach = 1
+                           + Work(3) * RidgeDepth<Work>::factor
+                                 * RidgeDepth<Work>::turnBetween(first.normal, second.normal);
+        if (!(-second.gap < -first.gap * reach)) return;
+        near.add(other, shift, second, first.offset, squareOfDiagonal(there));
+    }
+    /// The same for the image of a face in planes of symmetry through a corner of the tracked one.
+    FPM_KERNEL void addImage(Index i,
+                             const FaceImage& other,
+                             const Vec3<Work>& through,
+                             const Candidate<Work>& here,
+                             const FaceCorners<Work>& corners,
+                             RidgeFaces<Work>& near) const
+    {
+        const Vec3<Work> shift = imageShift(pass, other.planes, through);
+        const FaceCorners<Work> there = shifted(pass.corners(other.face, pass.contactor[i]), shift);
+        const FacePoint<Work> found = closestPoint(there, Work(0), Work(0));
+        if (!isNotOpposing(pass, i, pass.mirroredBack(other.planes, normalAt(there, found))))
+            addNear(i, other, shift, there, found, here, corners, near);
     }
 
     FPM_KERNEL static Vec3<Work> normalAt(const FaceCorners<Work>& face,
@@ -225,67 +198,97 @@ private:
         return gapAt(face, point.xi, point.eta).normal;
     }
 
-    /// Moves to a neighbouring face that is nearer by more than rounding, if there is one.
+    /// Moves to a neighbouring face that is nearer by more than rounding, if there is one. `near`:
+    /// receives those that are about as near, where there is none.
     FPM_KERNEL bool
-    hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, bool& ridge) const
+    hopped(Index i, Candidate<Work>& here, FaceCorners<Work>& corners, RidgeFaces<Work>& near) const
     {
-        ridge = false;
-        if (here.point.where >= firstCorner) {
-            // Across its edges first: of equally near faces, as at a symmetry plane, these lie on
-            // the same side.
-            const int corner = here.point.where - firstCorner;
-            for (int edge = corner; edge < corner + 4; edge += 3) {
-                const Index next = pass.neighbour[4 * std::size_t(here.face) + (edge & 3)];
-                if (next >= 0 && moved(i, next / 4, here, corners, ridge)) return true;
-            }
-            bool any = false;
-            pass.visitAround(
-                here.face, corner, [&](Index face) __attribute__((always_inline)) {
-                    any = moved(i, face, here, corners, ridge);
-                    return !any;
-                });
-            return any;
-        }
-        Index across[2];
-        const Index count = acrossEdges(i, here, corners, across);
+        near.count = 0;
+        FaceImage list[mostCandidates];
+        int corner = 0;
+        const Index count = candidates(i, here, corners, list, corner);
         for (Index k = 0; k < count; ++k)
-            if (moved(i, across[k], here, corners, ridge)) return true;
+            if (list[k].planes != 0)
+                addImage(i, list[k], corners.corner[corner], here, corners, near);
+            else if (moved(i, list[k].face, here, corners, &near))
+                return true;
         return false;
     }
 
-    /// Number of faces across the edges near the closest point that may be nearer.
-    FPM_KERNEL Index acrossEdges(Index i,
-                                 const Candidate<Work>& here,
-                                 const FaceCorners<Work>& corners,
-                                 Index (&across)[2]) const
+    /// Faces near the closest point that may be as near: across the edges close to it, around a
+    /// corner close to it, and for a contactor inside their images in the planes of symmetry there.
+    /// Those across edges come first: of equally near faces, as at a symmetry plane, these lie on
+    /// the same side. `corner`: receives the corner in whose planes the images are.
+    FPM_KERNEL Index candidates(Index i,
+                                const Candidate<Work>& here,
+                                const FaceCorners<Work>& corners,
+                                FaceImage (&list)[mostCandidates],
+                                int& corner) const
     {
-        const Index* neighbour = pass.neighbour + 4 * std::size_t(here.face);
         const FacePoint<Work>& point = here.point;
-        if (point.where != insideFace) {
-            across[0] = neighbour[point.where] / 4;
-            return neighbour[point.where] >= 0;
-        }
         Vec3<Work> r, t1, t2;
         evaluateFace(corners, point.xi, point.eta, r, t1, t2);
         // Across an edge further away than the face itself no face that turns by less than a right
-        // angle can be nearer.
+        // angle can be nearer, across one twice as far none that counts in a ridge.
         const Work xi = 1 - (point.xi < 0 ? -point.xi : point.xi),
                    eta = 1 - (point.eta < 0 ? -point.eta : point.eta);
-        const bool near[2] = {xi * xi * dot(t1, t1) < point.square,
-                              eta * eta * dot(t2, t2) < point.square};
-        if (!near[0] && !near[1]) return 0;
         const Vec3<Work> normal = cross(t1, t2);
         const bool behind = dot(r, normal) < 0;
-        Index count = 0;
+        const Work reach = behind ? Work(4) * point.square : point.square;
+        const bool near[2] = {!(xi * xi * dot(t1, t1) > reach), !(eta * eta * dot(t2, t2) > reach)};
+        Index count = 0, planes = 0;
+        if (!near[0] && !near[1]) return count;
+        const Index* neighbour = pass.neighbour + 4 * std::size_t(here.face);
         for (int axis = 0; axis < 2; ++axis) {
             const int edge = axis == 0 ? (point.xi > 0 ? 1 : 3) : (point.eta > 0 ? 2 : 0);
-            if (near[axis] && turns(i, neighbour[edge], corners, edge, normal, behind))
-                across[count++] = neighbour[edge] / 4;
+            if (!near[axis]
+                || (point.where == insideFace
+                    && !turns(i, neighbour[edge], corners, edge, normal, behind)))
+                continue;
+            planes |= planesAt(neighbour[edge]);
+            if (neighbour[edge] >= 0) list[count++] = {neighbour[edge] / 4, 0};
+        }
+        corner = point.xi > 0 ? (point.eta > 0 ? 2 : 1) : (point.eta > 0 ? 3 : 0);
+        const Index across = count;
+        // A contactor inside may be near any of them, also where those across the edges turn away.
+        if (near[0] && near[1] && (behind || point.where >= firstCorner))
+            pass.visitAround(
+                here.face, corner, [&](Index face) __attribute__((always_inline)) {
+                    planes |= planesAround(face, here.face, corner);
+                    if (face != here.face && (across == 0 || list[0].face != face)
+                        && (across < 2 || list[1].face != face))
+                        list[count++] = {face, 0};
+                    return count < mostCandidates / 4;
+                });
+        if (!behind) return count;
+        const Index real = count;
+        for (Index set = 1; set <= planes; ++set) {
+            if ((set & planes) != set) continue;
+            list[count++] = {here.face, set};
+            for (Index k = 0; k < real && near[0] && near[1]; ++k)
+                list[count++] = {list[k].face, set};
         }
         return count;
     }
+    /// The plane on which an edge lies, as a bit; 0: none.
+    FPM_KERNEL static Index planesAt(Index neighbour)
+    {
+        return neighbour < noEdge && mirrorEdge(neighbour) < 2 ? Index(1) << mirrorEdge(neighbour)
+                                                               : 0;
+    }
+    /// Those of the edges of a face at its corner that is a corner of another.
+    FPM_KERNEL Index planesAround(Index face, Index other, int corner) const
+    {
+        const Index node = pass.faceNode[4 * std::size_t(other) + std::size_t(corner)],
+                    *nodes = pass.faceNode + 4 * std::size_t(face),
+                    *neighbour = pass.neighbour + 4 * std::size_t(face);
+        int c = 0;
+        while (c < 3 && nodes[c] != node) ++c;
+        return planesAt(neighbour[c]) | planesAt(neighbour[(c + 3) & 3]);
+    }
 
-    /// Whether the face across an edge bends towards the side of the contactor.
+    /// Whether the face across an edge, or its own image beyond a plane of symmetry, bends towards
+    /// the side of the contactor.
     FPM_KERNEL bool turns(Index i,
                           Index across,
                           const FaceCorners<Work>& corners,
@@ -293,22 +296,30 @@ private:
                           const Vec3<Work>& normal,
                           bool behind) const
     {
-        if (across < 0) return false;
-        const Index* nodes = pass.faceNode + 4 * std::size_t(across / 4);
-        const Index origin = pass.contactor[i];
+        const Index planes = planesAt(across);
+        if (across < 0 && planes == 0) return false;
         // Far corners of the neighbour relative to the common edge, whose direction is opposite
         // there.
-        const Vec3<Work> a = pass.relative(nodes[(across + 3) & 3], origin)
-                             - corners.corner[(edge + 1) & 3],
-                         b = pass.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];
+        Vec3<Work> a, b;
+        if (planes != 0) {
+            a = pass.mirrored(planes,
+                              corners.corner[(edge + 2) & 3] - corners.corner[(edge + 1) & 3]);
+            b = pass.mirrored(planes, corners.corner[(edge + 3) & 3] - corners.corner[edge]);
+        } else {
+            const Index* nodes = pass.faceNode + 4 * std::size_t(across / 4);
+            const Index origin = pass.contactor[i];
+            a = pass.relative(nodes[(across + 3) & 3], origin) - corners.corner[(edge + 1) & 3];
+            b = pass.relative(nodes[(across + 2) & 3], origin) - corners.corner[edge];
+        }
         const Work first = dot(a, normal), second = dot(b, normal);
         const Work bend =
             behind ? (first < second ? -first : -second) : (first > second ? first : second);
-        constexpr Work little = sizeof(Work) == 8 ? Work(1e-20) : Work(1e-10);
-        return bend > 0 && bend * bend > little * dot(normal, normal) * dot(a, a);
+        return bend > 0
+               && bend * bend > ContactTolerances<Work>::bend * dot(normal, normal) * dot(a, a);
     }
 
-    FPM_KERNEL void tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
+    /// Moves to the nearest face of the cells, if it is nearer.
+    FPM_KERNEL bool tryCells(Index i, Candidate<Work>& here, FaceCorners<Work>& corners) const
     {
         const Index body = pass.componentOf(here.face);
         Candidate<Work> best{noFace, {}, 0};
@@ -319,9 +330,13 @@ private:
                     && isPartner(pass, i, face, other) && (best.face < 0 || isNearer(other, best)))
                     best = other;
             });
-        if (best.face < 0 || !(best.point.square < less * here.point.square)) return;
+        if (best.face < 0
+            || !(best.point.square < ContactTolerances<Work>::nearer * here.point.square))
+            return false;
+        EdgeLift<Numbers>{pass, i}.lift(best, normalAt(corners, here.point));
         here = best;
         corners = pass.corners(here.face, pass.contactor[i]);
+        return true;
     }
 };
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace fpm {
@@ -26,7 +25,7 @@ void expectEqual(const OneContactor& a, const OneContactor& b)
         EXPECT_LT(size(a.force(i) - b.force(i)), 1e-9) << "node " << i;
 }
 
-TEST(ProjectionFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
+TEST(ContactPoint, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
 {
     for (const double mu : {0.0, 0.3}) {
         const Setting setting{.faceStiffness = {60, 140}};
@@ -38,7 +37,7 @@ TEST(ProjectionFaces, UnequalStiffnessAtACommonEdgeIsThatOfBoth)
     }
 }
 
-TEST(ProjectionFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
+TEST(ContactPoint, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
 {
     const Setting setting{.faceThickness = {0.3f, 3}}, thin{.faceThickness = {0.3f, 0.4f}};
     OneContactor a(0.3, valley(), 0, twoFaces(), setting), b(0.3, valley(), 1, twoFaces(), setting);
@@ -47,7 +46,7 @@ TEST(ProjectionFaces, WhoIsDeeperThanOneOfThemIsThickIsHeldByTheOther)
         EXPECT_EQ(OneContactor(0.3, valley(), face, twoFaces(), thin).face(), releasedFace);
 }
 
-TEST(ProjectionFaces, ContactDampingHasTheLeastMassOfAllOfThem)
+TEST(ContactPoint, ContactDampingHasTheLeastMassOfAllOfThem)
 {
     const std::vector<V> in{{0, 0, -1e-3}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
                             {0, 0, 0},     {0, 0, 0}, {0, 0, 0}};
@@ -66,7 +65,7 @@ TEST(ProjectionFaces, ContactDampingHasTheLeastMassOfAllOfThem)
 }
 
 /// The normal of face 0 does not oppose the contactor's, that of face 1 does.
-TEST(ProjectionFaces, OneThatDoesNotOpposeIsNoPartnerWhicheverIsTracked)
+TEST(ContactPoint, OneThatDoesNotOpposeIsNoPartnerWhicheverIsTracked)
 {
     const V ownNormal{std::sin(1.4), 0, -std::cos(1.4)};
     for (const double mu : {0.0, 0.3}) {
@@ -79,23 +78,9 @@ TEST(ProjectionFaces, OneThatDoesNotOpposeIsNoPartnerWhicheverIsTracked)
     }
 }
 
-/// The same for the face on which the contactor was before.
-TEST(ProjectionFaces, OneThatDoesNotOpposeIsLeftOutOfTheLastPlaceToo)
-{
-    OneContactor pair(0.3, valley(), 1, twoFaces(),
-                      {.ownNormal = {std::sin(1.4), 0, -std::cos(1.4)}});
-    const auto view = pair.view();
-    for (const Place<double>& last : {Place<double>{0, 1, -0.2}, Place<double>{1, -1, -0.2}}) {
-        const ProjectionFaces<DoublePrecision> there(view, 0, last);
-        ASSERT_EQ(there.count, 1);
-        EXPECT_EQ(there.face[0], 1);
-        EXPECT_EQ(there.xi[0], -1);
-    }
-}
-
 /// For a contactor the surface ends where the next face does not oppose it, just as at a free edge:
 /// the displacement beyond the end counts in both cases.
-TEST(ProjectionFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
+TEST(ContactPoint, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
 {
     // Face 1 hangs down from the edge x = 2 and a little back.
     const std::vector<V> nodes{{1.9, 0.8, -0.3}, {0, 0, 0}, {2, 0, 0},   {1.9, 0, -2},
@@ -115,26 +100,6 @@ TEST(ProjectionFaces, ASurfaceThatTurnsAwayEndsAsOneThatHasAnEdge)
         }
     }
     EXPECT_GT(turns.held(), 0);
-}
-
-/// The corner of a pyramid on two planes of symmetry 60 degrees apart: its image all around has the
-/// mean normal of the axis in which they meet.
-TEST(ProjectionFaces, TheMeanNormalOnObliquePlanesOfSymmetryLiesInAllOfThem)
-{
-    const double angle = std::numbers::pi / 3, c = std::cos(angle), s = std::sin(angle);
-    for (const double tilt : {-0.3, 0.2}) {
-        const std::vector<V> nodes{
-            {0.1, 0.1, -0.2}, {0, 0, 0}, {1, 0, tilt}, {1 + c, s, 1.5 * tilt}, {c, s, 0.4 * tilt}};
-        const Faces one{
-            {1, 2, 3, 4}, {0, 1, 2, 3}, {mirrorEdge(0), freeEdge, freeEdge, mirrorEdge(1)}};
-        OneContactor pair(0.3, nodes, 0, one, {.mirrorNormals = {0, -1, 0, -s, c, 0}});
-        const auto view = pair.view();
-        const V mean =
-            ProjectionFaces<DoublePrecision>(view, 0, Place<double>{0, -1, -1}).meanNormal(view);
-        EXPECT_NEAR(mean.x, 0, 1e-12);
-        EXPECT_NEAR(mean.y, 0, 1e-12);
-        EXPECT_GT(mean.z, 0.5);
-    }
 }
 
 /// Two bytes a component: off by half a part of ownNormalScale in each.
