@@ -44,7 +44,7 @@ TEST_P(EqualBits, TheSceneTouchesSlidesAndYieldsInSeveralPatches)
     const Model model = impact(GetParam());
     EXPECT_GE(model.mesh.patchStarts.size(), 9u);
     const auto solver = startedSolver(model);
-    solver->advance(1, 200);
+    solver->advance(1, 120);
     EXPECT_GT(solver->contact().force(0).active, 0);
     EXPECT_GT(solver->ledger().energies().friction, 0);
     EXPECT_GT(solver->ledger().energies().plastic, 0);

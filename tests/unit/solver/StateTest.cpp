@@ -132,9 +132,9 @@ TEST(State, OfSurfacesThatErodeIsWhole)
     for (const bool half : {false, true}) {
         const Model model = punch(half, 0.3);
         const auto solver = startedSolver(model);
-        solver->advance(1, 220);
+        solver->advance(1, 150);
         EXPECT_GE(std::ranges::count(solver->elements().values().deleted, true), 8);
-        goesOnWithTheSameBits(model, false, 220);
+        goesOnWithTheSameBits(model, false, 150);
     }
 }
 

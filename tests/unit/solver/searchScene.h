@@ -113,10 +113,15 @@ private:
     {
         Pair pair = surfaceView<DoublePrecision>(data_, *fields_);
         pair.position = position_.data();
+        pair.velocity = velocity_.data();
         pair.nodeStride = points_.size();
         return pair;
     }
-    void upload() { position_ = planesOf(points_); }
+    void upload()
+    {
+        position_ = planesOf(points_);
+        velocity_.assign(position_.size(), 0);
+    }
     double areaOf(const std::array<Index, 4>& face) const
     {
         const auto at = [&](std::size_t k) {
@@ -131,7 +136,7 @@ private:
     ContactSearch search_;
     ContactPassSetup data_;
     std::unique_ptr<PassFields> fields_;
-    std::vector<double> position_;
+    std::vector<double> position_, velocity_;
 };
 
 /// A grid of nx x ny faces over [0, 1]^2, numbered x fastest, each point moved by `shape`.
