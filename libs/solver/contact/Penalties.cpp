@@ -24,19 +24,35 @@ double penalty(const Model& model, const ElementSide& side)
     return bulk * a * a / volume(model.mesh, side.element);
 }
 
-/// 0: nothing can move the node.
-double massOf(const SolverSetUp& data, Index node)
+/// Masses of nodes with their images in planes of symmetry: what a whole model has.
+struct WholeMasses {
+    const SolverSetUp& data;
+    std::vector<MirrorPlane> planes;
+
+    /// 0: nothing can move the node.
+    double operator()(Index node) const
+    {
+        if (data.nodes.fixed[std::size_t(node)] & imposedNode) return 0;
+        double mass = data.nodes.mass[std::size_t(node)];
+        for (const MirrorPlane& plane : planes)
+            if (plane.holds[std::size_t(node)]) mass *= 2;
+        return mass;
+    }
+};
+
+int planesOf(const std::vector<MirrorPlane>& planes, Index node)
 {
-    return (data.nodes.fixed[std::size_t(node)] & imposedNode) ? 0
-                                                               : data.nodes.mass[std::size_t(node)];
+    return int(std::count_if(planes.begin(), planes.end(), [=](const MirrorPlane& plane) {
+        return plane.holds[std::size_t(node)];
+    }));
 }
 
 /// Mass of the lightest of some nodes that can be moved; 0: none can.
-double leastMass(const SolverSetUp& data, std::span<const Index> nodes)
+double leastMass(const WholeMasses& massOf, std::span<const Index> nodes)
 {
     double least = 0;
     for (const Index node : nodes) {
-        const double mass = massOf(data, node);
+        const double mass = massOf(node);
         if (mass > 0 && (least == 0 || mass < least)) least = mass;
     }
     return least;
@@ -97,9 +113,13 @@ void addPenalty(ContactPassSetup& out,
 {
     const double scale = scaleOf(pair);
     out.mirrors = mirrorsOf(model, out.contactor);
-    for (const Index node : out.contactor) out.contactorMass.push_back(massOf(data, node));
+    const WholeMasses massOf{data, mirrorPlanes(model)};
+    // Of a contactor the mass of the model, as of its stiffness; of faces that of the whole model,
+    // since contactors beside a plane meet them whole.
+    for (const Index node : out.contactor)
+        out.contactorMass.push_back(massOf(node) / double(1 << planesOf(massOf.planes, node)));
     for (std::size_t face = 0; face < out.faceNode.size() / 4; ++face)
-        out.faceMass.push_back(leastMass(data, std::span(out.faceNode).subspan(4 * face, 4)));
+        out.faceMass.push_back(leastMass(massOf, std::span(out.faceNode).subspan(4 * face, 4)));
     if (entryOf(pair.penalty).byMass) {
         const double step = firstElementStep(data.elements, model), perMass = scale / (step * step);
         for (const double mass : out.contactorMass)
@@ -124,10 +144,11 @@ void addEdgePenalty(ContactPassSetup& out,
                     const std::vector<SharpEdge>& edges)
 {
     const bool byMass = entryOf(pair.penalty).byMass;
+    const WholeMasses massOf{data, mirrorPlanes(model)};
     if (!entryOf(pair.penalty).bothSides) out.law.penalty = PenaltyRule::lesser;
     const double step = byMass ? firstElementStep(data.elements, model) : 1;
     for (const SharpEdge& edge : edges) {
-        out.faceMass.push_back(leastMass(data, std::span(edge.nodes).first(2)));
+        out.faceMass.push_back(leastMass(massOf, std::span(edge.nodes).first(2)));
         double sum = 0;
         for (const ElementSide& side : edge.sides) sum += penalty(model, side);
         out.faceStiffness.push_back(

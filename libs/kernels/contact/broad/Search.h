@@ -95,6 +95,9 @@ struct SlotChoice {
             while (match < found.count && found.component[match] != pass.componentOf(face)) ++match;
             const bool touching = pass.law.springEnergy[i] > 0;
             if (match < found.count) {
+                // What was lifted over an edge stays there (EdgeLift).
+                if (pass.overlap[i] > 0)
+                    EdgeLift<Numbers>{pass, i}.lift(found.best[match], normalOf(i));
                 update(i, found.best[match], touching);
                 placed[match] = true;
             } else if (!touching) // in contact it keeps its face where no nearer one is found
@@ -124,6 +127,13 @@ private:
         pass.overlap[i] =
             notLess(pass.fadeTime > 0 ? -gap / pass.forgivenShare(pass.clock->time) : -gap);
         atomicAdd64(pass.counts + countInside, 1);
+    }
+    /// Normal of the face on which a contactor is tracked.
+    FPM_KERNEL Vec3<Work> normalOf(Index i) const
+    {
+        const FaceCorners<Work> corners = pass.corners(pass.face[i], pass.contactor[i]);
+        const FacePoint<Work> point = closestPoint(corners, pass.xi[i], pass.eta[i]);
+        return gapAt(corners, point.xi, point.eta).normal;
     }
     FPM_KERNEL void update(Index i, const Candidate<Work>& found, bool touching) const
     {

@@ -80,10 +80,13 @@ struct EdgeLift {
             if (across < 0 || !isPartner(pass, i, across / 4, top) || !(top.gap < 0)
                 || top.point.where != insideFace)
                 continue;
-            const Vec3<Work> up =
-                gapAt(pass.corners(top.face, pass.contactor[i]), top.point.xi, top.point.eta)
-                    .normal;
-            if (!(dot(up, normal) < ContactTolerances<Work>::sharp)) continue;
+            const FaceCorners<Work> above = pass.corners(top.face, pass.contactor[i]);
+            const Vec3<Work> up = gapAt(above, top.point.xi, top.point.eta).normal;
+            // Over a convex edge alone: in a corner that is concave both bear.
+            const Vec3<Work> beyond =
+                offsetOn(corners, point.xi, point.eta) - offsetOn(above, Work(0), Work(0));
+            if (!(dot(up, normal) < ContactTolerances<Work>::sharp) || !(dot(beyond, normal) < 0))
+                continue;
             if (dot(before, before) > 0 ? dot(before, up) > ContactTolerances<Work>::sharp
                                         : runsAlong(side, up, normal)) {
                 side = top;

@@ -128,7 +128,7 @@ private:
         if (isNotOpposing(pass, i, normal)) return false;
         if (mayMove
             && (turnedAway || found.square < ContactTolerances<Work>::nearer * here.point.square)) {
-            if (isHeldOver(i, here, corners, found, normal)) return false;
+            if (isHeldOver(i, here, corners, there, found, normal)) return false;
             here = {other, found, 0};
             corners = there;
             return true;
@@ -142,11 +142,15 @@ private:
     FPM_KERNEL bool isHeldOver(Index i,
                                const Candidate<Work>& here,
                                const FaceCorners<Work>& corners,
+                               const FaceCorners<Work>& there,
                                const FacePoint<Work>& other,
                                const Vec3<Work>& normal) const
     {
-        if (!(pass.overlap[i] > 0) || here.point.where != insideFace
-            || !(dot(normalAt(corners, here.point), normal) < ContactTolerances<Work>::sharp))
+        if (!(pass.overlap[i] > 0) || here.point.where != insideFace) return false;
+        const Vec3<Work> up = normalAt(corners, here.point),
+                         beyond = offsetOn(corners, here.point.xi, here.point.eta)
+                                  - offsetOn(there, Work(0), Work(0));
+        if (!(dot(up, normal) < ContactTolerances<Work>::sharp) || !(dot(beyond, up) < 0))
             return false;
         const Work left = squareRoot(here.point.square) - Work(pass.overlap[i]);
         return !(left > 0) || left * left < other.square;
@@ -165,7 +169,7 @@ private:
         const Projection<Work> first = gapAtClosest(corners, here.point.xi, here.point.eta);
         Projection<Work> second = gapAtClosest(there, found.xi, found.eta);
         if (!(first.gap < 0) || !(second.gap < 0)
-            || isHeldOver(i, here, corners, found, second.normal))
+            || isHeldOver(i, here, corners, there, found, second.normal))
             return;
         second.normal = pass.mirroredBack(other.planes, second.normal);
         second.offset = pass.mirroredBack(other.planes, second.offset);
