@@ -143,7 +143,7 @@ std::string Study::copyOf(std::size_t run, int repeat) const
 }
 
 /// Leaves a copy as it is to be run: from its start, or from what an earlier start has left there.
-Continuation Study::prepare(std::size_t run, int repeat, bool anew)
+Continuation Study::prepare(std::size_t run, int repeat, bool fromStart)
 {
     const std::string folder = copyOf(run, repeat);
     const fs::path path = output_.path(folder);
@@ -152,7 +152,7 @@ Continuation Study::prepare(std::size_t run, int repeat, bool anew)
         requireCopy(output_, folder);
         const CaseLock lock(path, "fpmChart"); // refuses while a stray run still works there
         if (repeat == 1) table_.removeRun(runs_[run].name);
-        if (!anew) found = goOnIn(run, repeat, folder);
+        if (!fromStart) found = continuationIn(run, repeat, folder);
         if (found.goesOn) return found;
         removeCopy(output_, folder);
     }
@@ -161,7 +161,7 @@ Continuation Study::prepare(std::size_t run, int repeat, bool anew)
     return found;
 }
 
-Continuation Study::goOnIn(std::size_t run, int repeat, const std::string& folder) const
+Continuation Study::continuationIn(std::size_t run, int repeat, const std::string& folder) const
 {
     const OutputFolder left = output_.inner(folder);
     if (!fs::exists(left.path() / statusFile)) return {};

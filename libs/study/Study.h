@@ -62,8 +62,8 @@ private:
     std::string copyOf(std::size_t run, int repeat) const;
     std::string trialFolder() const;
     std::string withPrograms(const std::string& key) const;
-    Continuation prepare(std::size_t run, int repeat, bool anew);
-    Continuation goOnIn(std::size_t run, int repeat, const std::string& folder) const;
+    Continuation prepare(std::size_t run, int repeat, bool fromStart);
+    Continuation continuationIn(std::size_t run, int repeat, const std::string& folder) const;
     RunRow made(std::size_t run, int repeat, const Continuation& from) const;
     void makeCopy(std::size_t run, const std::string& folder) const;
     void runOne(std::size_t run, int repeat, Log& log, std::size_t number);
